@@ -1,0 +1,126 @@
+#include "base/file.h"
+
+#include "base/error.h"
+#include "base/text.h"
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace lambent {
+namespace {
+
+struct Descriptor {
+    int fd = -1;
+    explicit Descriptor(int fd) : fd(fd) {}
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+    ~Descriptor()
+    {
+        if (fd >= 0)
+            ::close(fd);
+    }
+};
+
+[[noreturn]] void fail_to_read(const std::filesystem::path& path, const std::string& reason)
+{
+    throw Error(Failure::bad_input, text(path.string(), ": ", reason));
+}
+
+[[noreturn]] void fail_to_write(const std::filesystem::path& path)
+{
+    const int error = errno;
+    throw Error(Failure::cannot_write, text(path.string(), ": cannot write: ", std::strerror(error)));
+}
+
+// Only regular files: opening a pipe or a terminal would hang, and a folder reads as nothing.
+std::uint64_t checked_size(int fd, const std::filesystem::path& path)
+{
+    struct stat status {};
+    if (fd < 0 || ::fstat(fd, &status) != 0)
+        fail_to_read(path, std::strerror(errno));
+    if (S_ISDIR(status.st_mode))
+        fail_to_read(path, "is a folder");
+    if (!S_ISREG(status.st_mode))
+        fail_to_read(path, "is not a regular file");
+    return static_cast<std::uint64_t>(status.st_size);
+}
+
+// A name in the same folder as the target, so that the rename cannot cross file systems; removed if still
+// there.
+struct TemporaryFile {
+    std::filesystem::path name;
+
+    explicit TemporaryFile(const std::filesystem::path& target) : name(target)
+    {
+        // A process id and a counter: neither two processes nor two threads of one share a name.
+        static std::atomic<unsigned> counter{0};
+        name += text(".", ::getpid(), ".", counter++, ".part");
+    }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    ~TemporaryFile() { ::unlink(name.c_str()); }
+};
+
+} // namespace
+
+std::uint64_t file_size(const std::filesystem::path& path)
+{
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    return checked_size(file.fd, path);
+}
+
+std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint64_t limit)
+{
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    const std::uint64_t size = checked_size(file.fd, path);
+    if (size > limit)
+        fail_to_read(path, text(size, " bytes is more than the limit of ", limit));
+    std::vector<std::uint8_t> bytes(size);
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t count = ::read(file.fd, bytes.data() + done, bytes.size() - done);
+        if (count < 0)
+            fail_to_read(path, std::strerror(errno));
+        if (count == 0)
+            fail_to_read(path, "became shorter while it was read");
+        done += static_cast<std::size_t>(count);
+    }
+    return bytes;
+}
+
+void check_can_write(const std::filesystem::path& path)
+{
+    struct stat status {};
+    if (::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
+        errno = S_ISDIR(status.st_mode) ? EISDIR : EINVAL;
+        fail_to_write(path);
+    }
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+    if (!path.has_filename() || ::access(folder.c_str(), W_OK | X_OK) != 0)
+        fail_to_write(path);
+}
+
+void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes)
+{
+    check_can_write(path);
+    const TemporaryFile temporary(path);
+    const Descriptor out(::open(temporary.name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (out.fd < 0)
+        fail_to_write(path);
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t count = ::write(out.fd, bytes.data() + done, bytes.size() - done);
+        if (count < 0)
+            fail_to_write(path);
+        done += static_cast<std::size_t>(count);
+    }
+    if (::rename(temporary.name.c_str(), path.c_str()) != 0)
+        fail_to_write(path);
+}
+
+} // namespace lambent

@@ -1,0 +1,128 @@
+// A scene as plain data: what is there, where, made of what, lit by what. Immutable once loaded.
+// Right-handed, +Y up, metres. Colours are linear RGB with Rec. 709 primaries. Angles are radians.
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "image/image.h"
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lambent::scene {
+
+enum class Wrap : std::uint8_t { repeat, mirrored_repeat, clamp_to_edge };
+
+/// How a texture is read outside [0, 1] and between texels. [glTF 2.0, 3.8.4]
+struct Sampler {
+    Wrap wrap_u = Wrap::repeat;
+    Wrap wrap_v = Wrap::repeat;
+    bool magnify_nearest = false; ///< magFilter NEAREST
+    bool minify_nearest = false;  ///< minFilter NEAREST or NEAREST_MIPMAP_*
+    bool mipmapped = true;        ///< minFilter with mip maps, or none given
+};
+
+/// One use of an image by a material.
+struct TextureUse {
+    int image = -1; ///< index into Scene::images; -1: no texture
+    Sampler sampler;
+    int texcoord = 0;          ///< which set: 0 or 1
+    glm::mat3 transform{1.0f}; ///< applied to (u, v, 1); KHR_texture_transform
+};
+
+enum class AlphaMode : std::uint8_t { opaque, mask, blend };
+
+/// The report's material, for the built-in shapes. (DESIGN: "the report's model")
+struct PhongMaterial {
+    glm::vec3 diffuse{0.5f};  ///< Kd
+    glm::vec3 specular{0.5f}; ///< Ks
+    float exponent = 100.0f;  ///< alpha of the report: Phong exponent, 0 < exponent <= 1e6
+};
+
+/// Metallic-roughness. [glTF 2.0, 3.9]
+struct Material {
+    std::string name;
+    glm::vec4 base_color{1.0f};
+    float metallic = 1.0f;
+    float perceptual_roughness = 1.0f;
+    glm::vec3 emissive{0.0f}; ///< radiance, nits; KHR_materials_emissive_strength multiplied in
+    float normal_scale = 1.0f;
+    float occlusion_strength = 1.0f;
+    TextureUse base_color_texture;         ///< sRGB codes
+    TextureUse metallic_roughness_texture; ///< linear codes: G roughness, B metallic
+    TextureUse normal_texture;             ///< linear codes, tangent space, +Y up
+    TextureUse occlusion_texture;          ///< linear codes: R
+    TextureUse emissive_texture;           ///< sRGB codes
+    AlphaMode alpha_mode = AlphaMode::opaque;
+    float alpha_cutoff = 0.5f;
+    bool double_sided = false;
+    bool unlit = false; ///< KHR_materials_unlit: base colour is the radiance
+    std::optional<PhongMaterial> phong;
+};
+
+/// Triangles with one material. Per-vertex arrays have one entry a vertex; those marked optional may be empty.
+struct Mesh {
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;      ///< unit length
+    std::vector<glm::vec4> tangents;     ///< optional; xyz unit length, w the sign of the bitangent
+    std::vector<glm::vec2> texcoords[2]; ///< optional
+    std::vector<glm::vec4> colors;       ///< optional; linear RGBA, multiplies the base colour
+    std::vector<glm::uvec3> triangles;   ///< below positions.size(); counter-clockwise seen from the front
+    int material = 0;                    ///< index into Scene::materials
+};
+
+/// A mesh placed in the world.
+struct Instance {
+    int mesh = 0;              ///< index into Scene::meshes
+    glm::mat4 transform{1.0f}; ///< world from mesh; affine, finite, not singular
+};
+
+/// A camera of the file. Looks along its -Z, +Y up.
+struct Camera {
+    std::string name;
+    glm::mat4 transform{1.0f};  ///< world from camera; rotation and translation only
+    float vertical_fov = 0.0f;  ///< radians; 0 for an orthographic camera
+    float vertical_size = 0.0f; ///< metres seen from bottom to top, orthographic only
+};
+
+enum class LightKind : std::uint8_t { directional, point, spot };
+
+/// A light without size. [KHR_lights_punctual]
+struct Light {
+    LightKind kind = LightKind::point;
+    glm::vec3 intensity{1.0f};              ///< lux (directional) or candela (point, spot), times colour
+    glm::vec3 position{0.0f};               ///< point and spot
+    glm::vec3 direction{0.0f, -1.0f, 0.0f}; ///< the way the light travels, unit length; directional and spot
+    float range = std::numeric_limits<float>::infinity(); ///< metres; nothing is lit beyond
+    float inner_cone = 0.0f;       ///< spot: full intensity within this angle from the axis
+    float outer_cone = 0.7853982f; ///< spot: none outside this angle
+};
+
+struct Bounds {
+    glm::vec3 low{std::numeric_limits<float>::infinity()};
+    glm::vec3 high{-std::numeric_limits<float>::infinity()};
+};
+
+struct Scene {
+    std::vector<Mesh> meshes;
+    std::vector<Instance> instances;
+    std::vector<Material> materials;      ///< never empty
+    std::vector<image::CodeImage> images; ///< RGBA codes
+    std::vector<Camera> cameras;
+    std::vector<Light> lights;
+};
+
+/// Number of triangles drawn: instances counted each time.
+std::size_t triangle_count(const Scene& scene);
+
+/// Smallest box around every instance in the world; low > high for an empty scene.
+Bounds bounds(const Scene& scene);
+
+} // namespace lambent::scene
