@@ -1,0 +1,12 @@
+// The whole text, in the order in which it must be read.
+#include "fresnel.glsl"
+#include "frame.glsl"
+#include "phong.glsl"
+#include "ggx.glsl"
+#include "energy.glsl"
+#include "lights.glsl"
+#include "sphere_maps.glsl"
+#include "spherical_harmonics.glsl"
+#include "footprint.glsl"
+#include "transfer.glsl"
+#include "tone.glsl"

@@ -1,0 +1,58 @@
+// Energy that single scattering loses on rough surfaces, given back; and what is left for the layer below.
+// `albedo` holds the two parts of the directional albedo of GGX at one NV and alpha: for reflectance F0 it is
+// F0 * albedo.x + albedo.y (the split-sum table). [Karis 2013, "Real shading in Unreal Engine 4"]
+
+// Factor that restores the light scattered more than once: 1 + F0 (1 - E) / E, with E the albedo of a white metal.
+// [Turquin 2019, "Practical multiple scattering compensation for microfacet models", eq. 16]
+// Witness: the white furnace is 1 at every roughness.
+vec3 energy_compensation(vec3 F0, vec2 albedo)
+{
+    Real E = albedo.x + albedo.y;
+    return 1.0 + ((1.0 - E) / max(E, 1.0e-4)) * F0;
+}
+
+// A metallic-roughness material at one point. base is linear RGB; metalness and alpha in [0, 1].
+struct Metallic {
+    vec3 base;
+    Real metalness;
+    Real alpha;
+};
+
+// How the radiance seen through the two lobes and the diffuse term add up: light = plain * (radiance averaged over
+// the lobe) + grazing * (the same with Schlick's weight) + diffuse * irradiance / pi.
+struct Reflectance {
+    vec3 plain;
+    vec3 grazing;
+    vec3 diffuse;
+};
+
+// The material as a mixture: dielectric of F0 = 0.04 over a diffuse base, and metal of F0 = base, each with its own
+// compensation, mixed by metalness. Both are white in the white furnace when base is. [glTF 2.0, appendix B;
+// diffuse under the dielectric by albedo scaling: OpenPBR 1.0, "Albedo-scaling"] Witness: the white furnace.
+Reflectance reflectance_metallic(Metallic m, vec2 albedo)
+{
+    vec3 dielectric_gain = (1.0 - m.metalness) * energy_compensation(vec3(0.04), albedo);
+    vec3 metal_gain = m.metalness * energy_compensation(m.base, albedo);
+    vec3 plain = albedo.x * (0.04 * dielectric_gain + m.base * metal_gain);
+    vec3 grazing = albedo.y * (dielectric_gain + metal_gain);
+    vec3 under = (1.0 - m.metalness) - (0.04 * albedo.x + albedo.y) * dielectric_gain;
+    Reflectance r = {plain, grazing, m.base * under};
+    return r;
+}
+
+// The BRDF of the same mixture at one pair of directions, per steradian, NL and NV > 0.
+// Witnesses: quadrature gives reflectance_metallic's albedo; the white furnace.
+vec3 brdf_metallic(Metallic m, vec2 albedo, vec3 N, vec3 V, vec3 L)
+{
+    vec3 sum = L + V;
+    Real inverse = inversesqrt(max(dot(sum, sum), 1.0e-12));
+    Real NL = dot(N, L);
+    Real NV = dot(N, V);
+    Real NH = clamp(dot(N, sum) * inverse, 0.0, 1.0);
+    Real VH = clamp(dot(V, sum) * inverse, 0.0, 1.0);
+    Real lobe = density_ggx(NH, m.alpha) * visibility_ggx(NL, NV, m.alpha);
+    Reflectance r = reflectance_metallic(m, albedo);
+    vec3 metal = m.metalness * (energy_compensation(m.base, albedo) * fresnel_schlick(m.base, VH));
+    vec3 dielectric = (1.0 - m.metalness) * (energy_compensation(vec3(0.04), albedo) * fresnel_schlick(vec3(0.04), VH));
+    return lobe * (metal + dielectric) + 0.3183098861837907 * r.diffuse;
+}

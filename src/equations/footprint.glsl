@@ -1,0 +1,19 @@
+// Reading an environment through a blur that fits a sample. The environment is kept as a chain of Gaussian blurs on
+// the sphere: level l >= 1 has the angular variance v1 4^(l-1), level 0 is the picture itself, of variance v1 / 16.
+// (Isotropic Gaussians, not boxes: a box moves light by up to half a texel of its level, which at 40 samples is an
+// error of 3 to 25% where Gaussians leave 2 to 8%; bench/specular_error shows both.)
+
+// Level, fractional, whose blend of two neighbours has `variance` = the wanted angular variance over v1. At least 0.
+// Witness: the variance of the blend, over four decades.
+Real level_of_variance(Real variance)
+{
+    Real below = (variance - 0.0625) * 1.0666666666666667;
+    Real octave = floor(0.5 * floor_log2(max(variance, 1.0)));
+    Real above = 1.0 + octave + (variance * power_of_two(-2.0 * octave) - 1.0) * 0.3333333333333333;
+    return max(select(variance < 1.0, below, above), 0.0);
+}
+
+// The share of a lobe's solid angle that one of its N samples stands for, as the variance of a Gaussian: the spread
+// is 1 / (N density), and neighbours a distance sqrt(spread) apart overlap well at 0.55 of it.
+// [footprint from density: Colbert and Krivanek 2007, GPU Gems 3 ch. 20; 0.55: measured by bench/specular_error]
+Real variance_of_spread(Real spread) { return 0.3025 * spread; }

@@ -1,0 +1,12 @@
+// Weight of the grazing part of Schlick's reflectance, (1 - VH)^5 for VH in [0, 1].
+// [Schlick 1994, "An inexpensive BRDF model for physically-based rendering", eq. 15]
+// Witness: the exact Fresnel equations of a dielectric, within Schlick's own error.
+Real schlick_weight(Real VH)
+{
+    Real m = 1.0 - VH;
+    Real m2 = m * m;
+    return m2 * m2 * m;
+}
+
+// Reflectance of a facet: F0 at normal incidence, 1 at grazing. F0 in [0, 1], per colour channel.
+vec3 fresnel_schlick(vec3 F0, Real VH) { return F0 + schlick_weight(VH) * (1.0 - F0); }

@@ -1,0 +1,72 @@
+// The microfacet distribution of Trowbridge and Reitz (GGX). alpha = perceptual_roughness^2, 0 < alpha <= 1.
+
+// Density of facet normals per solid angle; the integral of D NH over the hemisphere is 1. NH in [0, 1].
+// [Walter et al. 2007, "Microfacet models for refraction through rough surfaces", eq. 33] Witness: quadrature.
+Real density_ggx(Real NH, Real alpha)
+{
+    Real a2 = alpha * alpha;
+    Real q = NH * NH * (a2 - 1.0) + 1.0;
+    return a2 / (3.141592653589793 * q * q);
+}
+
+// sqrt(1 + alpha^2 tan^2) times the cosine: Smith's masking written without a division. c in [0, 1].
+// G1 = 2 c / (c + smith_ggx(c)). [Heitz 2014, "Understanding the masking-shadowing function", eq. 72]
+Real smith_ggx(Real c, Real alpha)
+{
+    Real a2 = alpha * alpha;
+    return sqrt(a2 + (1.0 - a2) * c * c);
+}
+
+// Fraction of facets visible from V, G1 in [0, 1]. Witness: the visible facets' projected area equals NV.
+Real masking_ggx(Real NV, Real alpha) { return 2.0 * NV / (NV + smith_ggx(NV, alpha)); }
+
+// Height-correlated masking and shadowing with the denominator taken in: G2 / (4 NL NV). NL, NV in (0, 1].
+// [Heitz 2014, eq. 99] Witness: G2 / G1 = masking of L given V, by quadrature of the weak furnace.
+Real visibility_ggx(Real NL, Real NV, Real alpha)
+{
+    return 0.5 / max(NL * smith_ggx(NV, alpha) + NV * smith_ggx(NL, alpha), 1.0e-7);
+}
+
+// G2 / G1(V): what remains of a visible facet's reflection, in [0, 1]. Witness: visibility_ggx over masking_ggx.
+Real shadowing_ggx(Real NL, Real NV, Real alpha)
+{
+    Real SV = smith_ggx(NV, alpha);
+    return NL * (NV + SV) / (NL * SV + NV * smith_ggx(NL, alpha));
+}
+
+// A facet seen from V, drawn in proportion to its visible area. In the frame of view_frame, V = (sin, 0, cos).
+struct VisibleFacet {
+    vec3 normal;
+    Real spread; // 1 / (density per solid angle of the mirrored direction), divided by spread_ggx(NV, alpha)
+};
+
+// The view vector in the stretched space in which GGX is a hemisphere. [Heitz 2018, JCGT 7(4), sec. 3.2]
+vec3 stretched_view(Real NV, Real alpha)
+{
+    Real sine = sqrt(max(1.0 - NV * NV, 0.0));
+    return normalize(vec3(alpha * sine, 0.0, NV));
+}
+
+// The factor of VisibleFacet::spread that all facets of one view share: pi alpha^2 4 NV / G1.
+Real spread_ggx(Real NV, Real alpha)
+{
+    return 6.283185307179586 * alpha * alpha * (NV + smith_ggx(NV, alpha));
+}
+
+// Draws from the distribution of visible normals: a point of the spherical cap z > -stretched.z, plus the view.
+// point holds (xi2, cos 2 pi xi1, sin 2 pi xi1), xi uniform in [0, 1).
+// [Dupuy and Benyoub 2023, "Sampling visible GGX normals with spherical caps", listing 3; Heitz 2018]
+// The density of the mirrored direction is D G1 / (4 NV); with |h|^2 the squared length before the last
+// normalisation and |c|^2 that before alpha is applied, D = |h|^4 / (pi alpha^2 |c|^4), finite for every alpha.
+// Witness: chi-square against that density.
+VisibleFacet sample_visible_ggx(vec3 stretched, Real alpha, vec3 point)
+{
+    Real z = 1.0 - point.x * (1.0 + stretched.z);
+    Real sine = sqrt(max(1.0 - z * z, 0.0));
+    vec3 c = vec3(sine * point.y + stretched.x, sine * point.z, z + stretched.z);
+    vec3 h = vec3(alpha * c.x, alpha * c.y, c.z);
+    Real inverse = inversesqrt(max(dot(h, h), 1.0e-20));
+    Real ratio = dot(c, c) * inverse * inverse;
+    VisibleFacet facet = {inverse * h, ratio * ratio};
+    return facet;
+}

@@ -1,0 +1,31 @@
+// The text in double: for tests, tables and whatever is computed once. See README.md.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+// The text's functions are neither inline nor all used by everyone: each file gets its own copy, without a warning.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+
+namespace lambent::in_double {
+namespace {
+
+using Real = double;
+using Mask = bool;
+using std::abs, std::acos, std::cos, std::exp2, std::floor, std::log2, std::max, std::min, std::sin, std::sqrt;
+
+inline Real atan(Real y, Real x) { return std::atan2(y, x); }
+inline Real inversesqrt(Real a) { return 1.0 / sqrt(a); }
+inline Real floor_log2(Real a) { return floor(log2(a)); }
+inline Real power_of_two(Real integer) { return exp2(integer); }
+inline Real select(Mask m, Real yes, Real no) { return m ? yes : no; }
+
+#include "equations/vectors.h"
+
+#include "equations/all.glsl"
+
+} // namespace
+} // namespace lambent::in_double
+
+#pragma GCC diagnostic pop

@@ -1,0 +1,39 @@
+// Pictures of the sphere. +Y is up. u runs to the right and v down, both in [0, 1].
+
+// Panorama coordinates of a direction: the middle of the picture is +X, and +Z lies a quarter to the right of it.
+// (The orientation of three.js, F3D and Blender.) Witness: the six axes; round trip.
+vec2 equirectangular_from_direction(vec3 d)
+{
+    Real pole = abs(d.x) + abs(d.z);
+    Real x = select(pole < 1.0e-30, 1.0, d.x); // atan(0, 0) is undefined in GLSL
+    return vec2(atan(d.z, x) * 0.15915494309189535 + 0.5, acos(clamp(d.y, -1.0, 1.0)) * 0.3183098861837907);
+}
+
+vec3 direction_from_equirectangular(vec2 uv)
+{
+    Real phi = (uv.x - 0.5) * 6.283185307179586;
+    Real theta = uv.y * 3.141592653589793;
+    Real sine = sin(theta);
+    return vec3(sine * cos(phi), cos(theta), sine * sin(phi));
+}
+
+// Direction, not normalised, to the point (s, t) in [-1, 1] of a cube face: 0 to 5 are +X -X +Y -Y +Z -Z.
+// s and t beyond 1 continue the plane of the face. [Vulkan 1.3, "Cube Map Face Selection"] Witness: the six axes.
+vec3 direction_from_cube(int face, Real s, Real t)
+{
+    if (face == 0)
+        return vec3(1.0, -t, -s);
+    if (face == 1)
+        return vec3(-1.0, -t, s);
+    if (face == 2)
+        return vec3(s, 1.0, t);
+    if (face == 3)
+        return vec3(s, -1.0, -t);
+    if (face == 4)
+        return vec3(s, -t, 1.0);
+    return vec3(-s, -t, -1.0);
+}
+
+// Solid angle between the face's centre and the corner (s, t) of a cube face, signed, in steradians; texels and
+// faces are sums of four. [Driscoll 2012, "Cubemap texel solid angle"] Witness: six faces are 4 pi; quadrature.
+Real cube_corner_solid_angle(Real s, Real t) { return atan(s * t, sqrt(s * s + t * t + 1.0)); }

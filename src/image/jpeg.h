@@ -1,0 +1,29 @@
+// JPEG (ITU-T T.81), through the TurboJPEG API.
+#pragma once
+
+#include "image/image_io.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lambent::image {
+
+/// Whether the bytes begin as a JPEG does.
+bool is_jpeg(std::span<const std::uint8_t> bytes);
+
+/// An 8-bit grey, YCbCr or RGB JPEG as RGBA with alpha 255. CMYK and YCCK files are refused: to show them
+/// needs the colour profile of a press. So are files about which the decoder has a warning, because
+/// then some of the picture is made up, and files with more scans than any honest encoder makes.
+/// Throws Error(bad_input).
+CodeImage decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& name);
+
+/// Throws Error(bad_input).
+ImageInfo inspect_jpeg(std::span<const std::uint8_t> bytes, const std::string& name);
+
+/// A valid 8-bit image as a JPEG of quality 95 without chroma subsampling; alpha is dropped.
+/// Throws std::bad_alloc only.
+std::vector<std::uint8_t> encode_jpeg(const CodeImage& image);
+
+} // namespace lambent::image

@@ -1,0 +1,34 @@
+// PNG (ISO/IEC 15948), through libspng.
+#pragma once
+
+#include "image/image_io.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lambent::image {
+
+/// Whether the bytes begin as a PNG does.
+bool is_png(std::span<const std::uint8_t> bytes);
+
+/// Any PNG as RGBA: grey is expanded, palettes are looked up, tRNS becomes alpha; 16-bit files stay 16-bit,
+/// all others become 8-bit. Codes are as stored: gAMA, sRGB and iCCP chunks change nothing.
+/// Throws Error(bad_input), also for a wrong checksum anywhere and for a file that ends before its end mark.
+CodeImage decode_png(std::span<const std::uint8_t> bytes, const std::string& name);
+
+/// Throws Error(bad_input).
+ImageInfo inspect_png(std::span<const std::uint8_t> bytes, const std::string& name);
+
+/// The trade of size against time of encode_png; the default is the measured choice of bench/image/write_png.
+struct PngEffort {
+    int level = 1;    ///< zlib compression level, 0 to 9
+    int strategy = 3; ///< zlib strategy: 0 default, 1 filtered, 2 Huffman only, 3 runs
+    int filters = 32; ///< set of spng_filter_choice
+};
+
+/// A valid image (8 or 16 bits, 3 or 4 channels) as the bytes of a PNG. Throws std::bad_alloc only.
+std::vector<std::uint8_t> encode_png(const CodeImage& image, const PngEffort& effort = {});
+
+} // namespace lambent::image

@@ -1,0 +1,31 @@
+// How this folder says no, and the sizes it says no to.
+#pragma once
+
+#include "base/error.h"
+#include "base/text.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace lambent::image {
+
+/// Throws Error(bad_input) with the line "name: parts...".
+template <class... Parts>
+[[noreturn]] void refuse(const std::string& name, const Parts&... parts)
+{
+    throw Error(Failure::bad_input, text(name, ": ", parts...));
+}
+
+/// Largest width and height, and most pixels, of any image read or written.
+inline constexpr std::int64_t max_side = 65536;
+inline constexpr std::int64_t max_pixels = std::int64_t{1} << 28;
+
+/// Refuses a width and height that are not positive or go beyond the limits above.
+void check_size(const std::string& name, std::int64_t width, std::int64_t height);
+
+/// Bytes of a file made fit for one line of a message: anything but printable ASCII becomes '?', and what
+/// goes beyond 60 characters is cut.
+std::string printable(std::string_view bytes);
+
+} // namespace lambent::image
