@@ -18,8 +18,8 @@ struct Metallic {
     Real alpha;
 };
 
-// How the radiance seen through the two lobes and the diffuse term add up: light = plain * (radiance averaged over
-// the lobe) + grazing * (the same with Schlick's weight) + diffuse * irradiance / pi.
+// How light adds up: plain * (radiance averaged over the lobe with weight 1 - (1 - VH)^5) + grazing * (the same with
+// weight (1 - VH)^5) + diffuse * irradiance / pi.
 struct Reflectance {
     vec3 plain;
     vec3 grazing;
@@ -37,6 +37,15 @@ Reflectance reflectance_metallic(Metallic m, vec2 albedo)
     vec3 grazing = albedo.y * (dielectric_gain + metal_gain);
     vec3 under = (1.0 - m.metalness) - (0.04 * albedo.x + albedo.y) * dielectric_gain;
     Reflectance r = {plain, grazing, m.base * under};
+    return r;
+}
+
+// The same without compensation: what single scattering alone reflects, to show what compensation is worth.
+Reflectance reflectance_single_scattering(Metallic m, vec2 albedo)
+{
+    vec3 F0 = mix(vec3(0.04), m.base, m.metalness);
+    Real under = (1.0 - m.metalness) * (1.0 - (0.04 * albedo.x + albedo.y));
+    Reflectance r = {albedo.x * F0, vec3(albedo.y), under * m.base};
     return r;
 }
 

@@ -58,6 +58,9 @@ HWY_INLINE Real min(Real a, Real b) { return hn::Min(a.v, b.v); }
 HWY_INLINE Real sqrt(Real a) { return hn::Sqrt(a.v); }
 HWY_INLINE Real select(Mask m, Real yes, Real no) { return hn::IfThenElse(m.m, yes.v, no.v); }
 
+// The largest of all lanes.
+HWY_INLINE float largest_lane(Real a) { return hn::GetLane(hn::MaxOfLanes(FloatTag(), a.v)); }
+
 HWY_INLINE Int integer(int i) { return hn::Set(IntTag(), i); }
 HWY_INLINE Int truncated(Real a) { return hn::ConvertTo(IntTag(), a.v); }
 HWY_INLINE Int bits(Real a) { return hn::BitCast(IntTag(), a.v); }

@@ -1,0 +1,26 @@
+// Light becomes code values here and nowhere else: exposure, tone curve, contrast, transfer, rounding.
+#pragma once
+
+#include "image/image.h"
+
+namespace lambent::display {
+
+/// From exposed light to [0, 1]; see equations/tone.glsl for each curve and its source.
+enum class Tone { reinhard, neutral, aces, agx, linear };
+
+struct Settings {
+    float exposure = 1.0f; ///< e of the report: factor on the light, above 0
+    float contrast = 1.0f; ///< K of the report: power on the curve's result, above 0
+    Tone tone = Tone::reinhard;
+    /// Encode for a display: pow(1/2.2) after `reinhard`, so that the whole is the report's (eC / (eC + 1))^(K / 2.2),
+    /// and after `agx`, which is made for it; the exact sRGB curve after the others. False: codes are the curve's
+    /// result itself (the report's "nonlinear" comparison).
+    bool encode = true;
+    bool dither =
+        false; ///< noise of one code, triangular, the same for every picture, before rounding to 8 bits
+};
+
+/// 8-bit RGB codes of an RGB or RGBA picture, rounded to nearest. Light that is not finite becomes black.
+image::CodeImage to_codes(const image::RadianceImage& light, const Settings& settings);
+
+} // namespace lambent::display

@@ -1,0 +1,73 @@
+#include "draw/camera.h"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+
+namespace lambent::draw {
+namespace {
+
+// A little air around the bounding sphere.
+constexpr float margin = 1.05f;
+
+float fitting_distance(float radius, float vertical_fov, float aspect)
+{
+    const float vertical = vertical_fov / 2.0f;
+    const float horizontal = std::atan(std::tan(vertical) * aspect);
+    return margin * radius / std::sin(std::min(vertical, horizontal));
+}
+
+} // namespace
+
+Camera orbit_camera(const scene::Bounds& bounds, const Orbit& orbit, float vertical_fov, float aspect)
+{
+    const bool empty = !(bounds.low.x <= bounds.high.x);
+    const glm::vec3 centre = empty ? glm::vec3(0.0f) : 0.5f * (bounds.low + bounds.high);
+    const float radius = empty ? 1.0f : std::max(0.5f * glm::length(bounds.high - bounds.low), 1e-6f);
+    const float distance =
+        orbit.distance > 0.0f ? orbit.distance : fitting_distance(radius, vertical_fov, aspect);
+    const float sine = std::sin(orbit.elevation), cosine = std::cos(orbit.elevation);
+    Camera camera;
+    camera.back = {cosine * std::sin(orbit.azimuth), sine, cosine * std::cos(orbit.azimuth)};
+    camera.right = {std::cos(orbit.azimuth), 0.0f, -std::sin(orbit.azimuth)};
+    camera.up = glm::cross(camera.back, camera.right);
+    camera.position = centre + distance * camera.back;
+    camera.vertical_fov = vertical_fov;
+    return camera;
+}
+
+Camera from_scene(const scene::Camera& camera)
+{
+    Camera result;
+    result.right = glm::normalize(glm::vec3(camera.transform[0]));
+    result.up = glm::normalize(glm::vec3(camera.transform[1]));
+    result.back = glm::normalize(glm::vec3(camera.transform[2]));
+    result.position = glm::vec3(camera.transform[3]);
+    result.vertical_fov = camera.vertical_fov;
+    result.vertical_size = camera.vertical_size;
+    return result;
+}
+
+RayMap ray_map(const Camera& camera, int width, int height)
+{
+    const bool orthographic = camera.vertical_fov <= 0.0f;
+    const float extent = orthographic ? camera.vertical_size : 2.0f * std::tan(camera.vertical_fov / 2.0f);
+    const float pixel = extent / static_cast<float>(height);
+    const glm::vec3 dx = pixel * camera.right, dy = -pixel * camera.up;
+    const glm::vec3 corner = -0.5f * (static_cast<float>(width) * dx + static_cast<float>(height) * dy);
+    RayMap map;
+    map.origin = camera.position;
+    map.direction = -camera.back;
+    if (orthographic) {
+        map.origin += corner;
+        map.origin_dx = dx;
+        map.origin_dy = dy;
+    } else {
+        map.direction += corner;
+        map.direction_dx = dx;
+        map.direction_dy = dy;
+    }
+    return map;
+}
+
+} // namespace lambent::draw

@@ -1,0 +1,25 @@
+// The layers a picture can be taken apart into, and which columns of the G-buffer hold them.
+#pragma once
+
+#include "draw/cpu/fragments.h"
+#include "draw/frame.h"
+#include "draw/settings.h"
+
+#include <vector>
+
+namespace lambent::draw {
+
+struct LayerSource {
+    const char* name;
+    Layer::Kind kind;
+    Column first;   ///< the column, or the first of three
+    bool is_vector; ///< three columns; else one, shown three times
+};
+
+/// Every layer but the background, in the order in which a picture is made.
+std::vector<LayerSource> layer_sources(Model model);
+
+/// Name of the light layer of what lies behind all surfaces.
+constexpr const char* background_layer = "light_background";
+
+} // namespace lambent::draw

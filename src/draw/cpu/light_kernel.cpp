@@ -1,0 +1,302 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "draw/cpu/light_kernel.cpp"
+#include <hwy/foreach_target.h>
+#include "wide/highway.h"
+
+#include "draw/cpu/light_kernel.h"
+#include "environment/albedo_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+HWY_BEFORE_NAMESPACE();
+namespace lambent::draw::HWY_NAMESPACE {
+namespace {
+
+#include "wide/wide.h"
+#include "environment/wide_cube.h"
+#include "environment/wide_panorama.h"
+
+// What the hooks of src/shading/README.md read.
+struct Environment {
+    CubeView chain;
+    float scale;    // of the chain
+    float variance; // of its level 1
+    const environment::Panorama* mips;
+    int mip_levels;
+    const SampleTables* tables;
+    int samples;
+};
+
+HWY_INLINE int sample_count(const Environment& e)
+{
+    return e.samples;
+}
+
+HWY_INLINE vec3 cap_point(const Environment& e, int i)
+{
+    const SampleTables::Cap& p = e.tables->cap[static_cast<size_t>(i)];
+    return vec3(p.xi2, p.cosine, p.sine);
+}
+
+HWY_INLINE vec3 lobe_point(const Environment& e, int i)
+{
+    const SampleTables::Lobe& p = e.tables->lobe[static_cast<size_t>(i)];
+    return vec3(p.log2_xi2, p.cosine, p.sine);
+}
+
+HWY_INLINE vec2 pixel_point(const Environment& e, int i)
+{
+    const SampleTables::Pixel& p = e.tables->pixel[static_cast<size_t>(i)];
+    return vec2(p.x, p.y);
+}
+
+HWY_INLINE Real level_one_variance(const Environment& e)
+{
+    return e.variance;
+}
+
+HWY_INLINE vec3 environment_radiance(const Environment& e, vec3 d, Real level)
+{
+    return Real(e.scale) * cube_trilinear(e.chain, d, level);
+}
+
+HWY_INLINE Real report_base_level(const Environment& e)
+{
+    return 0.5f * std::log2(static_cast<float>(e.mips[0].width) * static_cast<float>(e.mips[0].height));
+}
+
+PanoramaView view(const environment::Panorama& p)
+{
+    return {reinterpret_cast<const int32_t*>(p.texels.data()), p.width, p.height, 1.0e30f};
+}
+
+// Every level is read for all lanes and kept where it is wanted: slow, and only the report's own variant asks.
+HWY_INLINE vec3 environment_report_radiance(const Environment& e, vec3 d, Real level)
+{
+    const vec2 uv = equirectangular_from_direction(normalize(d));
+    const Real clamped = min(level, e.mip_levels - 1);
+    vec3 sum(0.0);
+    for (int i = 0; i < e.mip_levels; ++i) {
+        const Real weight = max(1.0 - abs(clamped - Real(i)), 0.0);
+        if (any(weight > 0.0))
+            sum += (weight * Real(e.mips[i].scale)) * panorama_bilinear(view(e.mips[i]), uv);
+    }
+    return sum;
+}
+
+#include "shading/all.glsl"
+
+vec3 load3(const Fragments& f, Column first, size_t at)
+{
+    return vec3(load(f[first] + at), load(f[Column(first + 1)] + at), load(f[Column(first + 2)] + at));
+}
+
+void store3(vec3 v, Fragments& f, Column first, size_t at)
+{
+    store(v.x, f[first] + at);
+    store(v.y, f[Column(first + 1)] + at);
+    store(v.z, f[Column(first + 2)] + at);
+}
+
+vec3 uniform(glm::vec3 v)
+{
+    return vec3(v.x, v.y, v.z);
+}
+
+// A direction of the world, in the environment's own frame.
+vec3 turned(const LightContext& c, vec3 d)
+{
+    const Real cosine = c.rotation_cosine, sine = c.rotation_sine;
+    return vec3(cosine * d.x - sine * d.z, d.y, sine * d.x + cosine * d.z);
+}
+
+// The two parts of the directional albedo of GGX, between the table's points.
+vec2 albedo_of(Real NV, Real alpha)
+{
+    constexpr int n = environment::albedo_table_size;
+    const Real x = sqrt(clamp(NV, 0.0, 1.0)) * (n - 1),
+               y = sqrt(sqrt(clamp(alpha * alpha, 0.0, 1.0))) * (n - 1);
+    const Real x0 = min(floor(x), n - 2), y0 = min(floor(y), n - 2);
+    const Int index = hn::Mul(hn::Add(hn::Mul(truncated(y0), integer(n)), truncated(x0)), integer(2));
+    const float* table = environment::albedo_table;
+    const auto at = [&](int offset)
+                        HWY_ATTR -> Real { return hn::GatherIndex(FloatTag(), table + offset, index); };
+    const Real fx = x - x0, fy = y - y0;
+    return vec2(mix(mix(at(0), at(2), fx), mix(at(2 * n), at(2 * n + 2), fx), fy),
+                mix(mix(at(1), at(3), fx), mix(at(2 * n + 1), at(2 * n + 3), fx), fy));
+}
+
+Metallic metallic_at(const Fragments& f, size_t at)
+{
+    Metallic m = {load3(f, base_r, at), load(f[metalness] + at), load(f[gloss] + at)};
+    return m;
+}
+
+Phong phong_at(const Fragments& f, size_t at)
+{
+    Phong p = {load3(f, base_r, at), load3(f, specular_r, at), load(f[gloss] + at)};
+    return p;
+}
+
+// What the material makes of the light, by the table; without compensation where the user asked to see that.
+Reflectance reflectance_at(const LightContext& c, const Metallic& m, vec2 albedo)
+{
+    if (c.energy_compensation)
+        return reflectance_metallic(m, albedo);
+    return reflectance_single_scattering(m, albedo);
+}
+
+Arrival arrival_at(const LightSource& light, vec3 point)
+{
+    if (!light.local)
+        return {-uniform(light.axis), uniform(light.intensity)};
+    const LocalLight local = {uniform(light.position), uniform(light.intensity), uniform(light.axis),
+                              1.0f / light.range,      light.cos_inner,          light.cos_outer};
+    return arrival_from(local, point);
+}
+
+void add_direct(const LightContext& c, std::span<const LightSource> lights, size_t at, Fragments& f)
+{
+    const vec3 N = load3(f, shading_x, at), V = load3(f, view_x, at), point = load3(f, position_x, at);
+    vec3 sum = load3(f, direct_r, at);
+    if (c.model == Model::phong) {
+        const Phong p = phong_at(f, at);
+        for (const LightSource& light : lights)
+            sum += direct_phong(p, N, V, arrival_at(light, point));
+    } else {
+        Metallic m = metallic_at(f, at);
+        const vec2 albedo = albedo_of(dot(N, V), m.alpha);
+        m.alpha = alpha_in_pixel(m.alpha, load3(f, mirrored_dx_x, at), load3(f, mirrored_dy_x, at));
+        for (const LightSource& light : lights)
+            sum += direct_metallic(m, albedo, N, V, arrival_at(light, point));
+    }
+    store3(sum, f, direct_r, at);
+}
+
+void add_ambient(const LightContext& c, size_t at, Fragments& f)
+{
+    const environment::IrradianceMap& map = c.environment->irradiance;
+    const CubeView cube{map.halfs.data(), map.log2_size, map.levels};
+    const vec3 N = load3(f, shading_x, at);
+    const vec3 irradiance = Real(map.scale) * cube_bilinear(cube, turned(c, N), hn::Zero(IntTag()));
+    vec3 diffuse = load3(f, base_r, at);
+    if (c.model == Model::ggx) {
+        const Metallic m = metallic_at(f, at);
+        diffuse = reflectance_at(c, m, albedo_of(dot(N, load3(f, view_x, at)), m.alpha)).diffuse;
+    }
+    const Real factor = Real(0.3183098861837907f * c.ambient_brightness) * load(f[occlusion] + at);
+    store3(irradiance, f, irradiance_r, at);
+    store3(factor * diffuse * irradiance, f, ambient_r, at);
+}
+
+void add_specular(const LightContext& c, const Environment& e, size_t at, Fragments& f)
+{
+    const vec3 N = turned(c, load3(f, shading_x, at)), V = turned(c, load3(f, view_x, at));
+    if (c.model == Model::phong) {
+        const Phong p = phong_at(f, at);
+        store3(c.mip_level == MipLevel::report ? specular_phong_report(e, p, N, V)
+                                               : specular_phong(e, p, N, V),
+               f, reflected_r, at);
+        return;
+    }
+    const Metallic m = metallic_at(f, at);
+    const Mirror mirror = {N, V, m.alpha, turned(c, load3(f, mirrored_dx_x, at)),
+                           turned(c, load3(f, mirrored_dy_x, at))};
+    const LobeLight light = specular_ggx(e, mirror);
+    const Reflectance r = reflectance_at(c, m, albedo_of(dot(N, V), m.alpha));
+    store3(r.plain * light.plain + r.grazing * light.grazing, f, reflected_r, at);
+}
+
+Environment environment_of(const LightContext& c)
+{
+    const environment::CubeChain& chain = c.environment->chain;
+    const float deviation = environment::level_one_deviation(chain);
+    Environment e{};
+    e.chain = {chain.halfs.data(), chain.log2_size, chain.levels};
+    e.scale = chain.scale;
+    e.variance = deviation * deviation;
+    e.mips = c.mip_chain ? c.mip_chain->data() : nullptr;
+    e.mip_levels = c.mip_chain ? static_cast<int>(c.mip_chain->size()) : 0;
+    e.tables = c.tables;
+    e.samples = static_cast<int>(c.tables->cap.size());
+    return e;
+}
+
+} // namespace
+
+HWY_FLATTEN void light_directly(const LightContext& context, std::span<const LightSource> lights,
+                                size_t begin, size_t end, Fragments& fragments)
+{
+    for (size_t at = begin; at < end; at += lane_count)
+        add_direct(context, lights, at, fragments);
+}
+
+HWY_FLATTEN void light_ambiently(const LightContext& context, size_t begin, size_t end, Fragments& fragments)
+{
+    for (size_t at = begin; at < end; at += lane_count)
+        add_ambient(context, at, fragments);
+}
+
+HWY_FLATTEN void light_specularly(const LightContext& context, size_t begin, size_t end, Fragments& fragments)
+{
+    const Environment environment = environment_of(context);
+    for (size_t at = begin; at < end; at += lane_count)
+        add_specular(context, environment, at, fragments);
+}
+
+HWY_FLATTEN void light_background(const LightContext& context, const RayMap& rays, const BackgroundRow& row,
+                                  float* const rgb[3])
+{
+    const environment::Environment& e = *context.environment;
+    const CubeView chain{e.chain.halfs.data(), e.chain.log2_size, e.chain.levels};
+    const PanoramaView picture = view(e.panorama);
+    const vec3 start = uniform(rays.direction) + Real(row.y) * uniform(rays.direction_dy);
+    for (int x = 0; x < row.count; x += static_cast<int>(lane_count)) {
+        const Real place = Real(hn::Iota(FloatTag(), static_cast<float>(row.first_x + x))) + 0.5;
+        const vec3 d = turned(context, normalize(start + place * uniform(rays.direction_dx)));
+        const vec3 c = row.level < 0.0f ? Real(e.panorama.scale) *
+                                              panorama_bilinear(picture, equirectangular_from_direction(d))
+                                        : Real(e.chain.scale) * cube_trilinear(chain, d, row.level);
+        store(c.x, rgb[0] + x);
+        store(c.y, rgb[1] + x);
+        store(c.z, rgb[2] + x);
+    }
+}
+
+} // namespace lambent::draw::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace lambent::draw {
+
+HWY_EXPORT(light_directly);
+HWY_EXPORT(light_ambiently);
+HWY_EXPORT(light_specularly);
+HWY_EXPORT(light_background);
+
+void light_directly(const LightContext& context, std::span<const LightSource> lights, std::size_t begin,
+                    std::size_t end, Fragments& fragments)
+{
+    HWY_DYNAMIC_DISPATCH(light_directly)(context, lights, begin, end, fragments);
+}
+
+void light_ambiently(const LightContext& context, std::size_t begin, std::size_t end, Fragments& fragments)
+{
+    HWY_DYNAMIC_DISPATCH(light_ambiently)(context, begin, end, fragments);
+}
+
+void light_specularly(const LightContext& context, std::size_t begin, std::size_t end, Fragments& fragments)
+{
+    HWY_DYNAMIC_DISPATCH(light_specularly)(context, begin, end, fragments);
+}
+
+void light_background(const LightContext& context, const RayMap& rays, const BackgroundRow& row,
+                      float* const rgb[3])
+{
+    HWY_DYNAMIC_DISPATCH(light_background)(context, rays, row, rgb);
+}
+
+} // namespace lambent::draw
+#endif

@@ -1,0 +1,49 @@
+#include "draw/cpu/sight.h"
+
+namespace lambent::draw {
+namespace {
+
+// A ray that has gone through so many backs sees nothing any more.
+constexpr int most_backs = 256;
+
+} // namespace
+
+void Sight::trace(const std::vector<Look*>& looks)
+{
+    rays_.resize(looks.size());
+    hits_.resize(looks.size());
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+        const Look& look = *looks[i];
+        const glm::vec3 origin = map_.origin + look.x * map_.origin_dx + look.y * map_.origin_dy;
+        const glm::vec3 direction = map_.direction + look.x * map_.direction_dx + look.y * map_.direction_dy;
+        for (int axis = 0; axis < 3; ++axis) {
+            rays_.origin[axis][i] = origin[axis];
+            rays_.direction[axis][i] = direction[axis];
+        }
+        rays_.near[i] = look.near;
+    }
+    scene_.visibility().trace(rays_, hits_.data());
+    for (std::size_t i = 0; i < looks.size(); ++i)
+        looks[i]->hit = hits_[i];
+}
+
+void Sight::look(std::vector<Look>& looks)
+{
+    waiting_.clear();
+    for (Look& look : looks)
+        waiting_.push_back(&look);
+    for (int round = 0; round < most_backs && !waiting_.empty(); ++round) {
+        trace(waiting_);
+        std::size_t left = 0;
+        for (Look* look : waiting_)
+            if (look->hit.found() && !look->hit.front && scene_.culls_back(look->hit.instance)) {
+                look->near = behind(look->hit.distance);
+                waiting_[left++] = look;
+            }
+        waiting_.resize(left);
+    }
+    for (Look* look : waiting_)
+        look->hit = {};
+}
+
+} // namespace lambent::draw

@@ -1,0 +1,45 @@
+// Rays of sight through places in the picture, and what they see: backs of one-sided surfaces are looked through.
+#pragma once
+
+#include "draw/camera.h"
+#include "draw/cpu/prepared_scene.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace lambent::draw {
+
+/// One look into the scene.
+struct Look {
+    float x = 0.0f, y = 0.0f; ///< place in the picture, in pixels
+    float near = 0.0f;        ///< where the ray starts, in multiples of its direction
+    std::uint32_t pixel = 0;  ///< of the tile
+    float weight = 1.0f;      ///< share of the pixel
+    Hit hit;
+};
+
+/// Looks through a scene; keeps its buffers from call to call.
+class Sight {
+public:
+    Sight(const PreparedScene& scene, const RayMap& map) : scene_(scene), map_(map) {}
+
+    /// Fills the hits of all looks. Looks next to each other should be next to each other in the picture.
+    void look(std::vector<Look>& looks);
+
+private:
+    void trace(const std::vector<Look*>& looks);
+
+    const PreparedScene& scene_;
+    RayMap map_;
+    Rays rays_;
+    std::vector<Hit> hits_;
+    std::vector<Look*> waiting_;
+};
+
+/// Where a ray that ended at `distance` goes on: a little further, so that it does not meet the same triangle again.
+inline float behind(float distance)
+{
+    return distance * (1.0f + 1e-5f) + 1e-30f;
+}
+
+} // namespace lambent::draw

@@ -1,0 +1,39 @@
+// From hits to surfaces: position, normal, material, by interpolation and textures, on SIMD lanes.
+#pragma once
+
+#include "draw/camera.h"
+#include "draw/cpu/fragments.h"
+#include "draw/cpu/packed_texture.h"
+#include "draw/settings.h"
+#include "scene/scene.h"
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+
+namespace lambent::draw {
+
+/// A material's textures; null where it has none.
+struct MaterialTextures {
+    const PackedTexture* base_color = nullptr;
+    const PackedTexture* metallic_roughness = nullptr;
+    const PackedTexture* normal = nullptr;
+    const PackedTexture* occlusion = nullptr;
+    const PackedTexture* emissive = nullptr;
+};
+
+/// What all fragments of a group share.
+struct SurfaceContext {
+    RayMap rays;
+    Model model = Model::ggx;
+    const scene::Mesh* mesh = nullptr;
+    const scene::Material* material = nullptr;
+    MaterialTextures textures;
+    glm::mat4 transform{1.0f}; ///< world from mesh
+    glm::mat3 normals{1.0f};   ///< world from mesh for normals, up to length; keeps what is outside outside
+};
+
+/// Fills the surface columns, `opacity` and `emitted_*` of the fragments [begin, end), multiples of
+/// Fragments::group_alignment, from place, hit_* and triangle.
+void find_surfaces(const SurfaceContext& context, std::size_t begin, std::size_t end, Fragments& fragments);
+
+} // namespace lambent::draw

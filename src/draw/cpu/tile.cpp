@@ -1,0 +1,335 @@
+#include "draw/cpu/tile.h"
+
+#include "draw/cpu/layer_list.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lambent::draw {
+namespace {
+
+// Two points of one surface belong together while the surface bends less than this between them (30 degrees) and the
+// second lies off the first's plane by less than their distance on the screen.
+constexpr float least_bend_cosine = 0.866f;
+
+// Samples of one pixel share one shading point while the surface bends less than this between them (15 degrees).
+constexpr float least_shared_cosine = 0.966f;
+
+// What is left of a ray behind transparent surfaces is not worth following below this.
+constexpr float least_weight = 1.0f / 1024.0f;
+constexpr int most_waves = 64;
+
+glm::vec3 point(const RayMap& rays, const Look& look)
+{
+    const glm::vec3 origin = rays.origin + look.x * rays.origin_dx + look.y * rays.origin_dy;
+    const glm::vec3 direction = rays.direction + look.x * rays.direction_dx + look.y * rays.direction_dy;
+    return origin + look.hit.distance * direction;
+}
+
+// Width of a pixel, in the world, at the distance of a hit.
+float pixel_width(const RayMap& rays, const Look& look)
+{
+    return glm::length(rays.origin_dx + look.hit.distance * rays.direction_dx);
+}
+
+bool same_surface(const RayMap& rays, const Look& a, const Look& b)
+{
+    if (a.hit.instance != b.hit.instance)
+        return false;
+    if (!a.hit.found())
+        return true;
+    if (glm::dot(a.hit.normal, b.hit.normal) < least_bend_cosine)
+        return false;
+    const float off = std::fabs(glm::dot(point(rays, b) - point(rays, a), a.hit.normal));
+    return off < pixel_width(rays, a);
+}
+
+// The share of a surface that is seen, 0 to 1, where its material has the given alpha.
+float shown(const scene::Material& material, float alpha)
+{
+    if (material.alpha_mode == scene::AlphaMode::mask)
+        return alpha >= material.alpha_cutoff ? 1.0f : 0.0f;
+    return material.alpha_mode == scene::AlphaMode::blend ? std::clamp(alpha, 0.0f, 1.0f) : 1.0f;
+}
+
+// Adds weight * (r, g, b, 1) to a pixel.
+void add(image::RadianceImage& image, const glm::ivec2& at, float weight, const glm::vec3& rgb)
+{
+    float* out = image.pixel(at.x, at.y);
+    out[0] += weight * rgb.r;
+    out[1] += weight * rgb.g;
+    out[2] += weight * rgb.b;
+    out[3] += weight;
+}
+
+bool shares_shading(const Hit& a, const Hit& b)
+{
+    return a.instance == b.instance && a.front == b.front &&
+           glm::dot(a.normal, b.normal) > least_shared_cosine;
+}
+
+} // namespace
+
+TileDrawer::TileDrawer(const Picture& picture) : picture_(picture), sight_(picture.scene, picture.rays) {}
+
+void TileDrawer::draw(const TileArea& area, Frame& frame)
+{
+    background_.assign(static_cast<std::size_t>(area.width * area.height), 0.0f);
+    look_at_centres(area);
+    choose_looks(area);
+    for (int wave = 0; wave < most_waves && !looks_.empty(); ++wave) {
+        build_fragments();
+        shade();
+        resolve(frame, area);
+        look_behind();
+    }
+    add_background(frame, area);
+}
+
+// One look through the middle of every pixel of the area and of those around it, in blocks of 4x4: a packet of rays.
+void TileDrawer::look_at_centres(const TileArea& area)
+{
+    apron_x_ = std::max(area.x - 1, 0);
+    apron_y_ = std::max(area.y - 1, 0);
+    apron_width_ = std::min(area.x + area.width + 1, picture_.settings.width) - apron_x_;
+    apron_height_ = std::min(area.y + area.height + 1, picture_.settings.height) - apron_y_;
+    centres_.clear();
+    centre_.resize(static_cast<std::size_t>(apron_width_ * apron_height_));
+    for (int block_y = 0; block_y < apron_height_; block_y += 4)
+        for (int block_x = 0; block_x < apron_width_; block_x += 4)
+            for (int row = block_y; row < std::min(block_y + 4, apron_height_); ++row)
+                for (int column = block_x; column < std::min(block_x + 4, apron_width_); ++column) {
+                    centre_[static_cast<std::size_t>(row * apron_width_ + column)] =
+                        static_cast<std::uint32_t>(centres_.size());
+                    Look look;
+                    look.x = static_cast<float>(apron_x_ + column) + 0.5f;
+                    look.y = static_cast<float>(apron_y_ + row) + 0.5f;
+                    centres_.push_back(look);
+                }
+    sight_.look(centres_);
+}
+
+// Whether the surface in the middle of a pixel of the apron ends towards one of its neighbours.
+bool TileDrawer::is_edge(int column, int row) const
+{
+    const auto centre = [&](int c, int r) -> const Look& {
+        return centres_[centre_[static_cast<std::size_t>(r * apron_width_ + c)]];
+    };
+    const Look& look = centre(column, row);
+    for (int r = std::max(row - 1, 0); r <= std::min(row + 1, apron_height_ - 1); ++r)
+        for (int c = std::max(column - 1, 0); c <= std::min(column + 1, apron_width_ - 1); ++c)
+            if (!same_surface(picture_.rays, look, centre(c, r)))
+                return true;
+    return false;
+}
+
+// The looks to be drawn: the one through the middle, or where a surface ends several ones.
+void TileDrawer::choose_looks(const TileArea& area)
+{
+    looks_.clear();
+    std::vector<Look> edges;
+    const bool several = picture_.subpixels.size() > 1;
+    for (int y = 0; y < area.height; ++y)
+        for (int x = 0; x < area.width; ++x) {
+            const int column = area.x + x - apron_x_, row = area.y + y - apron_y_;
+            Look look = centres_[centre_[static_cast<std::size_t>(row * apron_width_ + column)]];
+            look.pixel = static_cast<std::uint32_t>(y * area.width + x);
+            if (!several || !is_edge(column, row)) {
+                looks_.push_back(look);
+                continue;
+            }
+            look.weight = 1.0f / static_cast<float>(picture_.subpixels.size());
+            look.near = 0.0f;
+            for (const glm::vec2& place : picture_.subpixels) {
+                look.x = static_cast<float>(area.x + x) + place.x;
+                look.y = static_cast<float>(area.y + y) + place.y;
+                edges.push_back(look);
+            }
+        }
+    sight_.look(edges);
+    looks_.insert(looks_.end(), edges.begin(), edges.end());
+}
+
+void TileDrawer::place_fragment(const Look& look, std::size_t at)
+{
+    fragments_[place_x][at] = look.x;
+    fragments_[place_y][at] = look.y;
+    fragments_[hit_distance][at] = look.hit.distance;
+    fragments_[hit_u][at] = look.hit.u;
+    fragments_[hit_v][at] = look.hit.v;
+    fragments_.triangle[at] = look.hit.triangle;
+    fragments_.pixel[at] = look.pixel;
+    fragments_.weight[at] = look.weight;
+}
+
+// Turns looks into fragments, one per surface and pixel, in groups of one instance each.
+void TileDrawer::build_fragments()
+{
+    surfaces_.clear();
+    std::size_t first_of_pixel = 0;
+    for (const Look& look : looks_) {
+        if (!look.hit.found()) {
+            background_[look.pixel] += look.weight;
+            continue;
+        }
+        if (surfaces_.empty() || surfaces_.back().pixel != look.pixel)
+            first_of_pixel = surfaces_.size();
+        const auto shared =
+            std::find_if(surfaces_.begin() + static_cast<std::ptrdiff_t>(first_of_pixel), surfaces_.end(),
+                         [&](const Look& other) { return shares_shading(look.hit, other.hit); });
+        if (shared != surfaces_.end())
+            shared->weight += look.weight;
+        else
+            surfaces_.push_back(look);
+    }
+    place_fragments();
+}
+
+// Gives every instance seen its group, and every surface its place there.
+void TileDrawer::place_fragments()
+{
+    auto& groups = fragments_.groups;
+    groups.clear();
+    std::size_t last = 0;
+    group_of_.clear();
+    for (const Look& look : surfaces_) {
+        // Neighbours mostly show the same instance: the search starts where the last one ended.
+        if (groups.empty() || groups[last].instance != look.hit.instance) {
+            const auto found = std::find_if(groups.begin(), groups.end(), [&](const Fragments::Group& group) {
+                return group.instance == look.hit.instance;
+            });
+            last = static_cast<std::size_t>(found - groups.begin());
+            if (found == groups.end())
+                groups.push_back({look.hit.instance, 0, 0});
+        }
+        group_of_.push_back(static_cast<std::uint32_t>(last));
+        ++groups[last].end;
+    }
+    std::size_t total = 0;
+    for (Fragments::Group& group : groups) {
+        const std::size_t filled = (group.end + Fragments::group_alignment - 1) / Fragments::group_alignment;
+        group.begin = group.end = total;
+        total += filled * Fragments::group_alignment;
+    }
+    fragments_.resize(total);
+    for (std::size_t i = 0; i < surfaces_.size(); ++i)
+        place_fragment(surfaces_[i], groups[group_of_[i]].end++);
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+        Look filler = surfaces_[i];
+        filler.weight = 0.0f;
+        for (std::size_t& end = groups[group_of_[i]].end; end % Fragments::group_alignment != 0; ++end)
+            place_fragment(filler, end);
+    }
+}
+
+void TileDrawer::light_group(const Fragments::Group& group)
+{
+    for (std::size_t c = direct_r; c < column_count; ++c)
+        std::fill(fragments_[Column(c)] + group.begin, fragments_[Column(c)] + group.end, 0.0f);
+    if (picture_.scene.surface(group.instance).material->unlit)
+        return;
+    if (!picture_.lights.empty())
+        light_directly(picture_.light, picture_.lights, group.begin, group.end, fragments_);
+    if (picture_.light.environment) {
+        light_ambiently(picture_.light, group.begin, group.end, fragments_);
+        light_specularly(picture_.light, group.begin, group.end, fragments_);
+    }
+}
+
+void TileDrawer::shade()
+{
+    for (const Fragments::Group& group : fragments_.groups) {
+        SurfaceContext context = picture_.scene.surface(group.instance);
+        context.rays = picture_.rays;
+        context.model = picture_.settings.model;
+        find_surfaces(context, group.begin, group.end, fragments_);
+        light_group(group);
+    }
+}
+
+// The looks that go on behind what is transparent; what is seen there has the weight that is left.
+void TileDrawer::look_behind()
+{
+    looks_.clear();
+    for (const Fragments::Group& group : fragments_.groups) {
+        const scene::Material& material = *picture_.scene.surface(group.instance).material;
+        if (material.alpha_mode == scene::AlphaMode::opaque)
+            continue;
+        for (std::size_t at = group.begin; at < group.end; ++at) {
+            const float left = fragments_.weight[at] * (1.0f - shown(material, fragments_[opacity][at]));
+            if (left < least_weight)
+                continue;
+            Look look;
+            look.x = fragments_[place_x][at];
+            look.y = fragments_[place_y][at];
+            look.near = behind(fragments_[hit_distance][at]);
+            look.pixel = fragments_.pixel[at];
+            look.weight = left;
+            looks_.push_back(look);
+        }
+    }
+    sight_.look(looks_);
+}
+
+void TileDrawer::resolve(Frame& frame, const TileArea& area)
+{
+    const std::vector<LayerSource> sources =
+        picture_.settings.layers ? layer_sources(picture_.settings.model) : std::vector<LayerSource>();
+    const auto three = [&](Column first, std::size_t at) {
+        return glm::vec3(fragments_[first][at], fragments_[Column(first + 1)][at],
+                         fragments_[Column(first + 2)][at]);
+    };
+    for (const Fragments::Group& group : fragments_.groups) {
+        const scene::Material& material = *picture_.scene.surface(group.instance).material;
+        for (std::size_t at = group.begin; at < group.end; ++at) {
+            const float weight = fragments_.weight[at] * shown(material, fragments_[opacity][at]);
+            if (weight <= 0.0f)
+                continue;
+            const int pixel = static_cast<int>(fragments_.pixel[at]);
+            const glm::ivec2 place(area.x + pixel % area.width, area.y + pixel / area.width);
+            add(frame.radiance, place, weight,
+                three(emitted_r, at) + three(direct_r, at) + three(ambient_r, at) + three(reflected_r, at));
+            for (std::size_t i = 0; i < sources.size(); ++i) {
+                const LayerSource& source = sources[i];
+                add(frame.layers[i].image, place, weight,
+                    source.is_vector ? three(source.first, at) : glm::vec3(fragments_[source.first][at]));
+            }
+        }
+    }
+}
+
+// What is behind everything, where something of it is seen. Coverage stays that of the surfaces.
+void TileDrawer::add_background(Frame& frame, const TileArea& area)
+{
+    const Background& background = picture_.settings.background;
+    const bool lit = picture_.light.environment && (background.kind == Background::Kind::environment ||
+                                                    background.kind == Background::Kind::blurred);
+    if (!lit && background.kind != Background::Kind::color)
+        return;
+    alignas(64) float row[3][size];
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        std::fill(std::begin(row[channel]), std::end(row[channel]),
+                  background.color[static_cast<int>(channel)]);
+    float* const rgb[3] = {row[0], row[1], row[2]};
+    for (int y = 0; y < area.height; ++y) {
+        const float* shares = background_.data() + y * area.width;
+        if (std::all_of(shares, shares + area.width, [](float share) { return share <= 0.0f; }))
+            continue;
+        if (lit)
+            light_background(
+                picture_.light, picture_.rays,
+                {static_cast<float>(area.y + y) + 0.5f, area.x, area.width, picture_.background_level}, rgb);
+        for (int x = 0; x < area.width; ++x) {
+            const glm::vec3 light = shares[x] * glm::vec3(row[0][x], row[1][x], row[2][x]);
+            for (image::RadianceImage* image :
+                 {&frame.radiance, picture_.settings.layers ? &frame.layers.back().image : nullptr})
+                if (image)
+                    for (int channel = 0; channel < 3; ++channel)
+                        image->pixel(area.x + x, area.y + y)[channel] += light[channel];
+        }
+    }
+}
+
+} // namespace lambent::draw

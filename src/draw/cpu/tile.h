@@ -1,0 +1,68 @@
+// One tile of a picture, from rays to radiance: the deferred passes over a G-buffer that stays in the cache.
+#pragma once
+
+#include "draw/cpu/fragments.h"
+#include "draw/cpu/light_kernel.h"
+#include "draw/cpu/sight.h"
+#include "draw/frame.h"
+#include "draw/settings.h"
+
+#include <glm/vec2.hpp>
+
+#include <span>
+#include <vector>
+
+namespace lambent::draw {
+
+/// What all tiles of a picture share.
+struct Picture {
+    const PreparedScene& scene;
+    const Settings& settings;
+    RayMap rays;
+    LightContext light;
+    std::vector<LightSource> lights;
+    std::vector<glm::vec2> subpixels; ///< places inside a pixel, [0, 1), for pixels where surfaces end
+    float background_level = -1.0f;   ///< of blur; below 0: the panorama itself
+};
+
+struct TileArea {
+    int x, y, width, height; ///< pixels
+};
+
+/// Draws tiles one after the other; one per thread.
+class TileDrawer {
+public:
+    static constexpr int size = 32;
+
+    explicit TileDrawer(const Picture& picture);
+
+    /// Draws into the frame's pixels of the area, at most size x size.
+    void draw(const TileArea& area, Frame& frame);
+
+private:
+    void look_at_centres(const TileArea& area);
+    bool is_edge(int column, int row) const;
+    void choose_looks(const TileArea& area);
+    void build_fragments();
+    void place_fragments();
+    void place_fragment(const Look& look, std::size_t at);
+    void shade();
+    void light_group(const Fragments::Group& group);
+    void look_behind();
+    void resolve(Frame& frame, const TileArea& area);
+    void add_background(Frame& frame, const TileArea& area);
+
+    const Picture& picture_;
+    Sight sight_;
+    Fragments fragments_;
+
+    int apron_x_ = 0, apron_y_ = 0, apron_width_ = 0, apron_height_ = 0; ///< the area and one pixel around it
+    std::vector<Look> centres_;           ///< of the apron's pixels, in the order they were looked at
+    std::vector<std::uint32_t> centre_;   ///< [row of the apron][column]: index into centres_
+    std::vector<Look> looks_;             ///< of the present wave
+    std::vector<Look> surfaces_;          ///< looks that became fragments: one per surface and pixel
+    std::vector<std::uint32_t> group_of_; ///< of each of surfaces_
+    std::vector<float> background_;       ///< per pixel of the tile: share that nothing covers
+};
+
+} // namespace lambent::draw

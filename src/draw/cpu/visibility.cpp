@@ -1,0 +1,168 @@
+#include "draw/cpu/visibility.h"
+
+#include "base/error.h"
+#include "base/text.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+namespace lambent::draw {
+namespace {
+
+constexpr std::size_t packet = 16;
+
+RTCGeometry triangles(RTCDevice device, const scene::Mesh& mesh, const glm::mat4& transform)
+{
+    const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.positions.size()));
+    auto* indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                            3 * sizeof(std::uint32_t), mesh.triangles.size());
+    if (!vertices || !indices)
+        throw Error(Failure::no_device, "not enough memory for the scene's triangles");
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        const glm::vec3 p = transform * glm::vec4(mesh.positions[i], 1.0f);
+        vertices[3 * i] = p.x, vertices[3 * i + 1] = p.y, vertices[3 * i + 2] = p.z;
+    }
+    std::memcpy(indices, mesh.triangles.data(), mesh.triangles.size() * sizeof(glm::uvec3));
+    rtcCommitGeometry(geometry);
+    return geometry;
+}
+
+// Copies sixteen rays, the last ones of a short packet being switched off.
+void load_packet(const Rays& rays, std::size_t first, RTCRayHit16& packet_rays, int* valid)
+{
+    const std::size_t count = std::min(packet, rays.size() - first);
+    const auto copy = [&](float* to, const std::vector<float>& from) {
+        std::memcpy(to, from.data() + first, count * sizeof(float));
+    };
+    RTCRay16& ray = packet_rays.ray;
+    copy(ray.org_x, rays.origin[0]), copy(ray.org_y, rays.origin[1]), copy(ray.org_z, rays.origin[2]);
+    copy(ray.dir_x, rays.direction[0]), copy(ray.dir_y, rays.direction[1]),
+        copy(ray.dir_z, rays.direction[2]);
+    copy(ray.tnear, rays.near);
+    for (std::size_t i = 0; i < packet; ++i) {
+        valid[i] = i < count ? -1 : 0;
+        ray.tfar[i] = std::numeric_limits<float>::infinity();
+        ray.time[i] = 0.0f;
+        ray.mask[i] = ~0u;
+        ray.flags[i] = 0;
+        packet_rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
+        packet_rays.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+    }
+}
+
+} // namespace
+
+void Rays::resize(std::size_t count)
+{
+    near.resize(count);
+    for (auto* axes : {&origin, &direction})
+        for (auto& axis : *axes)
+            axis.resize(count);
+}
+
+Visibility::Visibility(const scene::Scene& scene) : scene_(scene)
+{
+    device_ = rtcNewDevice(nullptr);
+    if (!device_)
+        throw Error(Failure::no_device, "Embree cannot run on this processor");
+    world_ = rtcNewScene(device_);
+    std::vector<int> uses(scene.meshes.size(), 0);
+    for (const scene::Instance& instance : scene.instances)
+        ++uses[static_cast<std::size_t>(instance.mesh)];
+    mesh_scenes_.assign(scene.meshes.size(), nullptr);
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+        add_instance(i, uses);
+    }
+    rtcCommitScene(world_);
+    if (const RTCError error = rtcGetDeviceError(device_); error != RTC_ERROR_NONE)
+        throw Error(Failure::no_device,
+                    text("Embree cannot build the scene (error ", static_cast<int>(error), ")"));
+}
+
+Visibility::~Visibility()
+{
+    for (RTCScene scene : mesh_scenes_)
+        if (scene)
+            rtcReleaseScene(scene);
+    if (world_)
+        rtcReleaseScene(world_);
+    rtcReleaseDevice(device_);
+}
+
+// A mesh shown once lies in the world itself; one shown several times is built once and referred to.
+void Visibility::add_instance(std::uint32_t index, const std::vector<int>& uses)
+{
+    const scene::Instance& instance = scene_.instances[index];
+    const scene::Mesh& mesh = scene_.meshes[static_cast<std::size_t>(instance.mesh)];
+    if (mesh.triangles.empty()) {
+        normals_.emplace_back(1.0f);
+        return;
+    }
+    RTCGeometry geometry;
+    const glm::mat3 linear(instance.transform);
+    const float side = glm::determinant(linear) < 0.0f ? -1.0f : 1.0f;
+    if (uses[static_cast<std::size_t>(instance.mesh)] > 1) {
+        // The normal comes in the mesh's space.
+        normals_.push_back(glm::transpose(glm::inverse(linear)));
+        geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
+        rtcSetGeometryInstancedScene(geometry, mesh_scene(instance.mesh));
+        rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, &instance.transform[0][0]);
+        rtcCommitGeometry(geometry);
+    } else {
+        // A mirroring transform turned the triangles' order round, but not what their front is. [glTF 2.0, 3.7.4]
+        normals_.push_back(glm::mat3(side));
+        geometry = triangles(device_, mesh, instance.transform);
+    }
+    rtcAttachGeometryByID(world_, geometry, index);
+    rtcReleaseGeometry(geometry);
+}
+
+RTCScene Visibility::mesh_scene(int mesh)
+{
+    RTCScene& scene = mesh_scenes_[static_cast<std::size_t>(mesh)];
+    if (!scene) {
+        scene = rtcNewScene(device_);
+        const RTCGeometry geometry =
+            triangles(device_, scene_.meshes[static_cast<std::size_t>(mesh)], glm::mat4(1.0f));
+        rtcAttachGeometry(scene, geometry);
+        rtcReleaseGeometry(geometry);
+        rtcCommitScene(scene);
+    }
+    return scene;
+}
+
+void Visibility::trace(const Rays& rays, Hit* hits) const
+{
+    alignas(64) RTCRayHit16 rays16;
+    alignas(64) int valid[packet];
+    for (std::size_t first = 0; first < rays.size(); first += packet) {
+        load_packet(rays, first, rays16, valid);
+        intersect16(valid, world_, &rays16);
+        const RTCRay16& ray = rays16.ray;
+        const RTCHit16& hit = rays16.hit;
+        for (std::size_t i = 0; i < std::min(packet, rays.size() - first); ++i) {
+            Hit& out = hits[first + i];
+            out = {};
+            if (hit.geomID[i] == RTC_INVALID_GEOMETRY_ID)
+                continue;
+            const bool instanced = hit.instID[0][i] != RTC_INVALID_GEOMETRY_ID;
+            out.instance = instanced ? hit.instID[0][i] : hit.geomID[i];
+            out.distance = ray.tfar[i];
+            out.u = hit.u[i];
+            out.v = hit.v[i];
+            out.triangle = hit.primID[i];
+            out.normal =
+                glm::normalize(normals_[out.instance] * glm::vec3(hit.Ng_x[i], hit.Ng_y[i], hit.Ng_z[i]));
+            const glm::vec3 direction(ray.dir_x[i], ray.dir_y[i], ray.dir_z[i]);
+            out.front = glm::dot(out.normal, direction) < 0.0f;
+        }
+    }
+}
+
+} // namespace lambent::draw

@@ -1,0 +1,57 @@
+// What each ray of sight meets first, by Embree.
+#pragma once
+
+#include "draw/cpu/embree.h"
+#include "scene/scene.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace lambent::draw {
+
+/// Rays, sixteen at a time, one array per component. A ray starts at `near`, in multiples of its direction.
+struct Rays {
+    /// Makes room for `count` rays, whose components are then undefined.
+    void resize(std::size_t count);
+    std::size_t size() const { return near.size(); }
+
+    std::vector<float> origin[3], direction[3], near;
+};
+
+/// Where a ray ends. The point is origin + distance * direction; u and v weigh corners 1 and 2 of the triangle.
+struct Hit {
+    static constexpr std::uint32_t nothing = ~0u;
+    float distance = 0.0f;
+    float u = 0.0f, v = 0.0f;
+    std::uint32_t instance = nothing; ///< index into Scene::instances
+    std::uint32_t triangle = 0;       ///< index into its mesh's triangles
+    glm::vec3 normal{0.0f};           ///< unit geometric normal in the world, of the counter-clockwise side
+    bool front = true;                ///< that side was met
+
+    bool found() const { return instance != nothing; }
+};
+
+/// The scene's triangles in a bounding volume hierarchy. The scene must outlive it.
+class Visibility {
+public:
+    explicit Visibility(const scene::Scene& scene);
+    Visibility(const Visibility&) = delete;
+    Visibility& operator=(const Visibility&) = delete;
+    ~Visibility();
+
+    /// The nearest hit of each of the first rays.size() rays, into `hits`. Neighbours should be nearly parallel.
+    void trace(const Rays& rays, Hit* hits) const;
+
+private:
+    void add_instance(std::uint32_t index, const std::vector<int>& uses);
+    RTCScene mesh_scene(int mesh);
+
+    const scene::Scene& scene_;
+    RTCDevice device_ = nullptr;
+    RTCScene world_ = nullptr;
+    std::vector<RTCScene> mesh_scenes_; ///< one per mesh that several instances show; else null
+    std::vector<glm::mat3> normals_;    ///< per instance: world from Embree's normal, up to its length
+};
+
+} // namespace lambent::draw

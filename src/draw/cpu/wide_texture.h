@@ -1,0 +1,129 @@
+// Reading PackedTextures with lanes of coordinates. Included after wide/wide.h and environment/wide_cube.h, inside the
+// target's namespace: no guard. Addresses are found per lane in plain code, which the compiler turns into vectors of
+// eight: two RGBA texels.
+
+// RGBA of a texture, linear.
+struct Color {
+    Real r, g, b, a;
+};
+
+// Where a texture is read: coordinates, and how they change to the next pixel on the right and below.
+struct TexturePoint {
+    vec2 uv, dx, dy;
+};
+
+// Up to this many reads are spread along the longer axis of a pixel's footprint.
+constexpr int most_anisotropic_reads = 8;
+
+// A coordinate brought to [0, 1] by the sampler.
+HWY_INLINE Real wrapped(Real x, scene::Wrap wrap)
+{
+    if (wrap == scene::Wrap::repeat)
+        return x - floor(x);
+    if (wrap == scene::Wrap::clamp_to_edge)
+        return clamp(x, 0.0, 1.0);
+    const Real twice = x - 2.0 * floor(0.5 * x);
+    return min(twice, 2.0 - twice);
+}
+
+// Adds two neighbouring texels, weighed, to eight sums (r g b a of the left, then of the right one).
+HWY_INLINE void add_pair(const PackedTexture& t, size_t texel, float left, float right, float* sums)
+{
+    const float weights[8] = {left, left, left, left, right, right, right, right};
+    float values[8];
+    if (t.half_floats) {
+        const auto* halfs = reinterpret_cast<const uint16_t*>(t.bytes.data()) + 4 * texel;
+        for (int i = 0; i < 8; ++i) {
+            const uint32_t moved = static_cast<uint32_t>(halfs[i]) << 13;
+            memcpy(&values[i], &moved, sizeof moved);
+            values[i] *= 0x1p112f;
+        }
+    } else {
+        const uint8_t* codes = t.bytes.data() + 4 * texel;
+        for (int i = 0; i < 8; ++i)
+            values[i] = (i % 4 == 3 ? t.alpha : t.light)[codes[i]];
+    }
+    for (int i = 0; i < 8; ++i)
+        sums[i] += weights[i] * values[i];
+}
+
+// Adds the bilinear value at (u, v) in [0, 1] of one level, times `weight`.
+HWY_INLINE void add_bilinear(const PackedTexture& t, int level, float u, float v, float weight, float* sums)
+{
+    const int width = t.width[level], height = t.height[level];
+    const float x = u * static_cast<float>(width) + 0.5f, y = v * static_cast<float>(height) + 0.5f;
+    // + 0.5: half a texel back, one for the border; a coordinate of 1 may round up.
+    const int x0 = x < static_cast<float>(width) ? static_cast<int>(x) : width;
+    const int y0 = y < static_cast<float>(height) ? static_cast<int>(y) : height;
+    const float right = x - static_cast<float>(x0), below = y - static_cast<float>(y0);
+    const size_t pitch = static_cast<size_t>(width) + 2;
+    const size_t texel =
+        static_cast<size_t>(t.start[level]) + static_cast<size_t>(y0) * pitch + static_cast<size_t>(x0);
+    const float upper = weight * (1.0f - below), lower = weight * below;
+    add_pair(t, texel, upper * (1.0f - right), upper * right, sums);
+    add_pair(t, texel + pitch, lower * (1.0f - right), lower * right, sums);
+}
+
+// The reads of all lanes: from (u, v), `reads` places apart by (step_u, step_v), between two levels.
+struct TextureReads {
+    alignas(64) float u[max_lanes];
+    alignas(64) float v[max_lanes];
+    alignas(64) float level[max_lanes];
+};
+
+HWY_INLINE void add_reads(const PackedTexture& t, const TextureReads& reads, float weight,
+                          float* rgba_per_lane)
+{
+    for (size_t lane = 0; lane < lane_count; ++lane) {
+        float sums[8] = {};
+        const int fine = static_cast<int>(reads.level[lane]);
+        const float fraction = reads.level[lane] - static_cast<float>(fine);
+        add_bilinear(t, fine, reads.u[lane], reads.v[lane], weight * (1.0f - fraction), sums);
+        if (fraction > 0.0f)
+            add_bilinear(t, fine + 1, reads.u[lane], reads.v[lane], weight * fraction, sums);
+        for (size_t i = 0; i < 4; ++i)
+            rgba_per_lane[4 * lane + i] += sums[i] + sums[i + 4];
+    }
+}
+
+// Coordinates moved to the centre of their texel, for samplers that ask for blocks when magnified.
+HWY_INLINE Real snapped(Real x, int size)
+{
+    return (floor(x * Real(size)) + 0.5) * Real(1.0f / static_cast<float>(size));
+}
+
+// Filtered over the pixel's footprint: its shorter axis chooses the level, reads are spread along the longer.
+// [Heckbert 1989, "Fundamentals of texture mapping"; as EXT_texture_filter_anisotropic describes it]
+HWY_INLINE Color read_texture(const PackedTexture& t, TexturePoint p)
+{
+    const Real width = t.width[0], height = t.height[0];
+    const vec2 dx(p.dx.x * width, p.dx.y * height), dy(p.dy.x * width, p.dy.y * height);
+    const Real x2 = dot(dx, dx), y2 = dot(dy, dy);
+    const Real longer2 = max(max(x2, y2), 1.0e-12);
+    const Real shorter2 =
+        max(min(x2, y2), longer2 * (1.0 / (most_anisotropic_reads * most_anisotropic_reads)));
+    const Real level = clamp(0.5 * log2(shorter2), 0.0, t.levels - 1);
+    const Real ratio = select(longer2 > 1.0, sqrt(longer2 / shorter2), 1.0);
+    const int reads = t.levels > 1 ? static_cast<int>(ceil(largest_lane(ratio) - 0.01f)) : 1;
+    const Mask along_x = x2 > y2;
+    // A lane that needs fewer reads than its neighbours has them closer together.
+    const Real step = 1.0 / Real(reads);
+    const vec2 axis(select(along_x, p.dx.x, p.dy.x), select(along_x, p.dx.y, p.dy.y));
+    alignas(64) float rgba[4 * max_lanes] = {};
+    TextureReads where;
+    store(level, where.level);
+    for (int i = 0; i < reads; ++i) {
+        const Real offset = (Real(i) + 0.5) * step - 0.5;
+        Real u = p.uv.x + offset * axis.x, v = p.uv.y + offset * axis.y;
+        if (t.sampler.magnify_nearest) {
+            u = select(longer2 < 1.0, snapped(u, t.width[0]), u);
+            v = select(longer2 < 1.0, snapped(v, t.height[0]), v);
+        }
+        store(wrapped(u, t.sampler.wrap_u), where.u);
+        store(wrapped(v, t.sampler.wrap_v), where.v);
+        add_reads(t, where, 1.0f / static_cast<float>(reads), rgba);
+    }
+    Color c{0.0, 0.0, 0.0, 0.0};
+    hn::LoadInterleaved4(FloatTag(), rgba, c.r.v, c.g.v, c.b.v, c.a.v);
+    return c;
+}

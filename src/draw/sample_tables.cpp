@@ -1,0 +1,48 @@
+#include "draw/sample_tables.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace lambent::draw {
+namespace {
+
+// The real root of p^3 = p + 1: its powers spread points over a square as the golden ratio does over a line.
+// [Roberts 2018, "The unreasonable effectiveness of quasirandom sequences"]
+constexpr double plastic = 1.32471795724474602596;
+
+double fraction(double x)
+{
+    return x - std::floor(x);
+}
+
+} // namespace
+
+double radical_inverse(unsigned i)
+{
+    double result = 0.0, digit = 0.5;
+    for (; i > 0; i >>= 1, digit *= 0.5)
+        result += (i & 1) * digit;
+    return result;
+}
+
+SampleTables make_sample_tables(int count)
+{
+    SampleTables tables;
+    for (int i = 0; i < count; ++i) {
+        const double turn = 2.0 * std::numbers::pi * fraction(i / std::numbers::phi);
+        tables.cap.push_back({static_cast<float>((i + 0.5) / count), static_cast<float>(std::cos(turn)),
+                              static_cast<float>(std::sin(turn))});
+
+        // The first radical inverse is 0, a direction square to the mirrored one; its logarithm has to be finite.
+        const double xi2 = std::max(radical_inverse(static_cast<unsigned>(i)), 0x1p-1000);
+        const double phi = 2.0 * std::numbers::pi * i / count;
+        tables.lobe.push_back({static_cast<float>(std::log2(xi2)), static_cast<float>(std::cos(phi)),
+                               static_cast<float>(std::sin(phi))});
+
+        tables.pixel.push_back({static_cast<float>(fraction(0.5 + i / plastic) - 0.5),
+                                static_cast<float>(fraction(0.5 + i / (plastic * plastic)) - 0.5)});
+    }
+    return tables;
+}
+
+} // namespace lambent::draw

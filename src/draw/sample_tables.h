@@ -1,0 +1,30 @@
+// The points at which specular lobes are sampled, for any backend.
+#pragma once
+
+#include <vector>
+
+namespace lambent::draw {
+
+/// One entry per sample, as the hooks of src/shading/README.md want them.
+struct SampleTables {
+    struct Cap {
+        float xi2, cosine, sine;
+    };
+    struct Lobe {
+        float log2_xi2, cosine, sine;
+    };
+    struct Pixel {
+        float x, y;
+    };
+    std::vector<Cap> cap;     ///< a sunflower spiral: xi2 in equal steps, xi1 by the golden ratio
+    std::vector<Lobe> lobe;   ///< the report's Hammersley pairs, (i / N, radical inverse of i in base 2)
+    std::vector<Pixel> pixel; ///< by the powers of the plastic number, independent of `cap`
+};
+
+/// `count` >= 1 samples.
+SampleTables make_sample_tables(int count);
+
+/// The digits of i in base 2, mirrored about the point: 1 is 0.1, 2 is 0.01, 3 is 0.11. In [0, 1).
+double radical_inverse(unsigned i);
+
+} // namespace lambent::draw

@@ -1,0 +1,56 @@
+#include "environment/environment.h"
+
+#include <bit>
+#include <cmath>
+
+namespace lambent::environment {
+namespace {
+
+// The same picture at another size, texels at bilinear positions.
+Panorama resized(const Panorama& from, int width, int height)
+{
+    image::RadianceImage image{width, height, 3, {}};
+    image.values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const double u = (x + 0.5) * from.width / width - 0.5, v = (y + 0.5) * from.height / height - 0.5;
+            const int x0 = static_cast<int>(std::floor(u)), y0 = static_cast<int>(std::floor(v));
+            const float fx = static_cast<float>(u - x0), fy = static_cast<float>(v - y0);
+            const auto at = [&](int i, int j) {
+                return from.radiance((i + from.width) % from.width, std::clamp(j, 0, from.height - 1));
+            };
+            const Rgb a = at(x0, y0), b = at(x0 + 1, y0), c = at(x0, y0 + 1), d = at(x0 + 1, y0 + 1);
+            const auto blend = [&](float Rgb::*channel) {
+                return (a.*channel * (1 - fx) + b.*channel * fx) * (1 - fy) +
+                       (c.*channel * (1 - fx) + d.*channel * fx) * fy;
+            };
+            float* out = image.pixel(x, y);
+            out[0] = blend(&Rgb::r), out[1] = blend(&Rgb::g), out[2] = blend(&Rgb::b);
+        }
+    return make_panorama(image);
+}
+
+} // namespace
+
+std::vector<Panorama> mip_chain(const Panorama& panorama)
+{
+    const int width = static_cast<int>(std::bit_ceil(static_cast<unsigned>(panorama.width)));
+    const int height = static_cast<int>(std::bit_ceil(static_cast<unsigned>(panorama.height)));
+    std::vector<Panorama> chain;
+    chain.push_back(width == panorama.width && height == panorama.height ? panorama
+                                                                         : resized(panorama, width, height));
+    while (chain.back().height > 1 && chain.back().width > 1)
+        chain.push_back(halved(chain.back()));
+    return chain;
+}
+
+Environment make_environment(Panorama panorama)
+{
+    Environment environment;
+    environment.chain = make_chain(panorama);
+    environment.irradiance = make_irradiance_map(panorama);
+    environment.panorama = std::move(panorama);
+    return environment;
+}
+
+} // namespace lambent::environment

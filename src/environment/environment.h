@@ -1,0 +1,28 @@
+// An environment ready to draw with: what light comes from where, at every sharpness.
+#pragma once
+
+#include "environment/cube_chain.h"
+#include "environment/irradiance.h"
+#include "environment/panorama.h"
+
+#include <vector>
+
+namespace lambent::environment {
+
+struct Environment {
+    Panorama panorama;        ///< the picture itself: background
+    CubeChain chain;          ///< Gaussian blurs: specular light
+    IrradianceMap irradiance; ///< diffuse light
+};
+
+/// Everything from the panorama. `threads` are those of the calling TBB arena.
+Environment make_environment(Panorama panorama);
+
+/// The panorama and its halvings, exactly 2^k times smaller, down to a height of 1: the report's own mip chain.
+/// The panorama is first enlarged by bilinear interpolation to powers of two if it is not.
+std::vector<Panorama> mip_chain(const Panorama& panorama);
+
+/// The chain of blurs alone. [see equations/footprint.glsl for why Gaussians]
+CubeChain make_chain(const Panorama& panorama);
+
+} // namespace lambent::environment

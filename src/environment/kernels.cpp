@@ -1,0 +1,172 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "environment/kernels.cpp"
+#include <hwy/foreach_target.h>
+#include "wide/highway.h"
+
+#include "environment/kernels.h"
+
+#include <algorithm>
+#include <cstring>
+
+HWY_BEFORE_NAMESPACE();
+namespace lambent::environment::HWY_NAMESPACE {
+namespace {
+
+#include "wide/wide.h"
+#include "environment/wide_cube.h"
+#include "environment/wide_panorama.h"
+
+CubeView view(const CubeChain& chain)
+{
+    return {chain.halfs.data(), chain.log2_size, chain.levels};
+}
+
+// Cuts what a half cannot hold and stores the first `count` lanes as texels.
+void store_halfs(vec3 rgb, size_t count, uint16_t* halfs)
+{
+    const hn::Rebind<hwy::float16_t, FloatTag> half_tag;
+    alignas(64) float interleaved[3 * max_lanes];
+    alignas(64) uint16_t rounded[3 * max_lanes];
+    const vec3 cut = clamp(rgb, 0.0, 65504.0);
+    hn::StoreInterleaved3(cut.x.v, cut.y.v, cut.z.v, FloatTag(), interleaved);
+    for (size_t i = 0; i < 3; ++i) {
+        const auto values = hn::Load(FloatTag(), interleaved + i * lane_count);
+        hn::Store(hn::DemoteTo(half_tag, values), half_tag,
+                  reinterpret_cast<hwy::float16_t*>(rounded) + i * lane_count);
+    }
+    for (size_t i = 0; i < 3 * count; ++i)
+        halfs[i] = rounded[i];
+}
+
+// The coordinate in [-1, 1] of points `inside` (0 to 1) across the texels x, x + 1, ...
+Real face_coordinate(int first, float inside, int size)
+{
+    const Real x = Real(hn::Iota(FloatTag(), static_cast<float>(first))) + Real(inside);
+    return x * Real(2.0f / static_cast<float>(size)) - 1.0;
+}
+
+size_t lanes_left(int x, int size)
+{
+    return std::min(lane_count, static_cast<size_t>(size - x));
+}
+
+} // namespace
+
+HWY_FLATTEN void pack_row(const float* rgb, int count, float factor, uint32_t* texels)
+{
+    int x = 0;
+    for (; x + static_cast<int>(lane_count) <= count; x += static_cast<int>(lane_count)) {
+        vec3 c(0.0);
+        hn::LoadInterleaved3(FloatTag(), rgb + 3 * x, c.x.v, c.y.v, c.z.v);
+        c = min(Real(factor) * c, vec3(65408.0));
+        const Real largest = max(c.x, max(c.y, c.z));
+        const Int floor_exponent = hn::Sub(hn::ShiftRight<23>(bits(largest)), integer(127));
+        const Int exponent = hn::Max(floor_exponent, integer(-16));
+        const Real scale = from_bits(hn::ShiftLeft<23>(hn::Sub(integer(127 + 8), exponent)));
+        // Rounding up to 512 takes one more exponent step.
+        const Mask carry = largest * scale + 0.5 >= 512.0;
+        const Real final_scale = select(carry, 0.5 * scale, scale);
+        const Int step = hn::IfThenElseZero(hn::RebindMask(IntTag(), carry.m), integer(1));
+        const Int field = hn::Add(hn::Add(exponent, step), integer(16));
+        const Int r = truncated(c.x * final_scale + 0.5), g = truncated(c.y * final_scale + 0.5),
+                  b = truncated(c.z * final_scale + 0.5);
+        const Int packed =
+            hn::Or(hn::Or(hn::ShiftLeft<27>(field), hn::ShiftLeft<18>(b)), hn::Or(hn::ShiftLeft<9>(g), r));
+        hn::StoreU(packed, IntTag(), reinterpret_cast<int32_t*>(texels + x));
+    }
+    for (; x < count; ++x)
+        texels[x] = pack_rgb9e5(rgb[3 * x] * factor, rgb[3 * x + 1] * factor, rgb[3 * x + 2] * factor);
+}
+
+HWY_FLATTEN void resample_row(const ResampleRow& row, CubeChain& chain)
+{
+    const Panorama& p = *row.panorama;
+    const PanoramaView picture{reinterpret_cast<const int32_t*>(p.texels.data()), p.width, p.height,
+                               row.limit / p.scale};
+    const int size = chain.face_size(0);
+    const float step = 1.0f / static_cast<float>(row.samples);
+    const Real weight = p.scale / chain.scale * step * step;
+    uint16_t* out = chain.halfs.data() + 3 * chain.texel(0, row.face, 0, row.y);
+    for (int x = 0; x < size; x += static_cast<int>(lane_count)) {
+        vec3 sum(0.0);
+        for (int j = 0; j < row.samples; ++j) {
+            const float across_y = (static_cast<float>(row.y) + (static_cast<float>(j) + 0.5f) * step);
+            const Real t = across_y * 2.0f / static_cast<float>(size) - 1.0f;
+            for (int i = 0; i < row.samples; ++i) {
+                const Real s = face_coordinate(x, (static_cast<float>(i) + 0.5f) * step, size);
+                const vec3 d = normalize(direction_from_cube(row.face, s, t));
+                sum += panorama_bilinear(picture, equirectangular_from_direction(d));
+            }
+        }
+        store_halfs(weight * sum, lanes_left(x, size), out + 3 * x);
+    }
+}
+
+HWY_FLATTEN void blur_row(const BlurRow& row, CubeChain& chain)
+{
+    const CubeView source = view(chain);
+    const int size = chain.face_size(row.level);
+    const Int source_level = integer(row.level - 1);
+    const GaussianTaps& taps = *row.taps;
+    const Real weight = 1.0f / static_cast<float>(taps.x.size());
+    const Real t = (static_cast<float>(row.y) + 0.5f) * 2.0f / static_cast<float>(size) - 1.0f;
+    uint16_t* out = chain.halfs.data() + 3 * chain.texel(row.level, row.face, 0, row.y);
+    for (int x = 0; x < size; x += static_cast<int>(lane_count)) {
+        const vec3 d = normalize(direction_from_cube(row.face, face_coordinate(x, 0.5f, size), t));
+        const mat3 frame = orthonormal_frame(d);
+        vec3 sum(0.0);
+        for (size_t i = 0; i < taps.x.size(); ++i)
+            sum += cube_bilinear(source, frame * vec3(taps.x[i], taps.y[i], taps.z[i]), source_level);
+        store_halfs(weight * sum, lanes_left(x, size), out + 3 * x);
+    }
+}
+
+HWY_FLATTEN void irradiance_row(const LightCells& cells, int face, int y, CubeChain& map)
+{
+    const int size = map.face_size(0);
+    const Real t = (static_cast<float>(y) + 0.5f) * 2.0f / static_cast<float>(size) - 1.0f;
+    uint16_t* out = map.halfs.data() + 3 * map.texel(0, face, 0, y);
+    for (int x = 0; x < size; x += static_cast<int>(lane_count)) {
+        const vec3 n = normalize(direction_from_cube(face, face_coordinate(x, 0.5f, size), t));
+        Real sums[3] = {0.0, 0.0, 0.0};
+        for (size_t i = 0; i < cells.x[0].size(); ++i)
+            for (int c = 0; c < 3; ++c)
+                sums[c] += max(dot(n, vec3(cells.x[c][i], cells.y[c][i], cells.z[c][i])), 0.0);
+        store_halfs(Real(1.0f / map.scale) * vec3(sums[0], sums[1], sums[2]), lanes_left(x, size),
+                    out + 3 * x);
+    }
+}
+
+} // namespace lambent::environment::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace lambent::environment {
+
+HWY_EXPORT(pack_row);
+HWY_EXPORT(resample_row);
+HWY_EXPORT(blur_row);
+HWY_EXPORT(irradiance_row);
+
+void pack_row(const float* rgb, int count, float factor, std::uint32_t* texels)
+{
+    HWY_DYNAMIC_DISPATCH(pack_row)(rgb, count, factor, texels);
+}
+
+void resample_row(const ResampleRow& row, CubeChain& chain)
+{
+    HWY_DYNAMIC_DISPATCH(resample_row)(row, chain);
+}
+
+void blur_row(const BlurRow& row, CubeChain& chain)
+{
+    HWY_DYNAMIC_DISPATCH(blur_row)(row, chain);
+}
+
+void irradiance_row(const LightCells& cells, int face, int y, CubeChain& map)
+{
+    HWY_DYNAMIC_DISPATCH(irradiance_row)(cells, face, y, map);
+}
+
+} // namespace lambent::environment
+#endif

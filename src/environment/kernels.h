@@ -1,0 +1,55 @@
+// The loops over texels that run on SIMD lanes, one row a call. Each picks the best instructions of the processor.
+#pragma once
+
+#include "environment/cube_chain.h"
+#include "environment/panorama.h"
+
+#include <cstdint>
+#include <span>
+
+namespace lambent::environment {
+
+/// Packs `count` RGB texels, multiplied by `factor`. Values must be finite and not negative.
+void pack_row(const float* rgb, int count, float factor, std::uint32_t* texels);
+
+/// Sums of one panorama row over blocks of columns: for each channel the sum, the sum times cos phi and times sin phi.
+struct ColumnSums {
+    float rgb[3], cosine[3], sine[3];
+};
+
+/// A row of level 0 of a cube: the mean of `samples`^2 bilinear lookups per texel, as halfs over `chain.scale`.
+/// Texels above `limit` radiance are dimmed to it.
+struct ResampleRow {
+    const Panorama* panorama;
+    float limit;
+    int samples;
+    int face;
+    int y;
+};
+void resample_row(const ResampleRow& row, CubeChain& chain);
+
+/// Directions around +z in which a Gaussian on the sphere is sampled, all of equal weight.
+struct GaussianTaps {
+    std::vector<float> x, y, z;
+};
+
+/// `count` taps of standard deviation `deviation` radians, in a sunflower spiral.
+GaussianTaps gaussian_taps(int count, float deviation);
+
+/// A row of level `level` of the chain: the taps' mean of the level before.
+struct BlurRow {
+    const GaussianTaps* taps;
+    int level;
+    int face;
+    int y;
+};
+void blur_row(const BlurRow& row, CubeChain& chain);
+
+/// Irradiance at the texels of one row of a one-level chain: the sum over cells of max(N . moment, 0), each cell being
+/// its light times direction, in three arrays of (r, g, b).
+struct LightCells {
+    std::vector<float> x[3], y[3], z[3]; ///< [channel]; padded with zeros to a multiple of 16
+};
+void irradiance_row(const LightCells& cells, int face, int y, CubeChain& map);
+
+} // namespace lambent::environment

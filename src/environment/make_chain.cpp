@@ -1,0 +1,159 @@
+#include "environment/cube_faces.h"
+#include "environment/environment.h"
+#include "environment/kernels.h"
+#include "environment/peaks.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace lambent::environment {
+namespace {
+
+// Faces of a quarter of the panorama's width are as sharp as it at their edges; larger ones only cost memory.
+constexpr int least_log2_size = 5, most_log2_size = 10;
+
+// Reading a level bilinearly blurs it by this variance, in square texels: the mean of f (1 - f) over a texel.
+constexpr double lookup_variance = 1.0 / 6.0;
+
+// A level that holds the picture has to be read more densely than one that is blurred already.
+constexpr int first_taps = 64, later_taps = 32;
+
+int log2_face_size(int panorama_width)
+{
+    int log2_size = least_log2_size;
+    while (log2_size < most_log2_size && (4 << log2_size) < panorama_width)
+        ++log2_size;
+    return log2_size;
+}
+
+float power_of_two_at_least(float value)
+{
+    return std::exp2(std::ceil(std::log2(std::max(value, 1e-30f))));
+}
+
+// What a texel may hold is 65408 times the panorama's scale; a half holds less than twice as little.
+float chain_scale(const Panorama& panorama)
+{
+    std::uint32_t most = 0;
+    for (const std::uint32_t texel : panorama.texels)
+        most = std::max(most, texel >> 27);
+    const float brightest = std::exp2(static_cast<float>(most) - 15.0f) * panorama.scale;
+    return std::max(power_of_two_at_least(brightest / 32768.0f), 0x1p-14f);
+}
+
+constexpr float brightest_of_all = std::numeric_limits<float>::max();
+
+struct Resampling {
+    const Panorama* panorama;
+    float limit;
+    int samples;
+};
+
+void resample(const Resampling& how, const std::vector<bool>& rows, CubeChain& chain)
+{
+    const int size = chain.face_size(0);
+    tbb::parallel_for(0, 6 * size, [&](int index) {
+        if (rows[static_cast<std::size_t>(index)])
+            resample_row({how.panorama, how.limit, how.samples, index / size, index % size}, chain);
+    });
+    fill_borders(chain, 0);
+}
+
+// Rows of level 0 (face * size + y) in which a texel above the limit may be seen.
+std::vector<bool> rows_with_peaks(const Peaks& peaks, int size)
+{
+    std::vector<bool> rows(static_cast<std::size_t>(6 * size), false);
+    const double reach = 3.0 / size;
+    for (const Peak& peak : peaks.peaks)
+        for (int face = 0; face < 6; ++face) {
+            const TexelBox box = texels_within(peak, reach, face, size);
+            if (box.x0 > box.x1)
+                continue;
+            for (int y = box.y0; y <= box.y1; ++y)
+                rows[static_cast<std::size_t>(face * size + y)] = true;
+        }
+    return rows;
+}
+
+// Standard deviation, in radians, by which a level has to be blurred to become the next.
+double step_deviation(const CubeChain& chain, int level)
+{
+    const double texel = std::numbers::pi / 2.0 / chain.face_size(level);
+    const double wanted =
+        4.0 * (1.0 - lookup_variance); // of the next level as stored, in this level's square texels
+    const double present = level == 0 ? 0.25 : 1.0; // of this level as read
+    return texel * std::sqrt(wanted - present);
+}
+
+void blur_level(int level, CubeChain& chain)
+{
+    const GaussianTaps taps = gaussian_taps(level == 1 ? first_taps : later_taps,
+                                            static_cast<float>(step_deviation(chain, level - 1)));
+    const int size = chain.face_size(level);
+    tbb::parallel_for(0, 6 * size, [&](int index) {
+        blur_row({&taps, level, index / size, index % size}, chain);
+    });
+    fill_borders(chain, level);
+}
+
+void add_peaks(const Peaks& peaks, int level, CubeChain& chain)
+{
+    const double texel = std::numbers::pi / 2.0 / chain.face_size(level);
+    const float deviation = static_cast<float>(texel * std::sqrt(1.0 - lookup_variance));
+    add_gaussians(merged(peaks.peaks, deviation / 4.0f), deviation, level, chain);
+    fill_borders(chain, level);
+}
+
+} // namespace
+
+GaussianTaps gaussian_taps(int count, float deviation)
+{
+    std::vector<double> angles;
+    double mean_square = 0.0;
+    for (int i = 0; i < count; ++i) {
+        angles.push_back(std::sqrt(-2.0 * std::log(1.0 - (i + 0.5) / count)));
+        mean_square += angles.back() * angles.back() / count;
+    }
+    // Taps at the middle of equal shares miss part of the tail; scaled, they have the variance asked for.
+    const double scale = deviation * std::sqrt(2.0 / mean_square);
+    GaussianTaps taps;
+    for (int i = 0; i < count; ++i) {
+        const double angle = std::min(angles[static_cast<std::size_t>(i)] * scale, std::numbers::pi);
+        const double phi = 2.0 * std::numbers::pi * i / std::numbers::phi;
+        taps.x.push_back(static_cast<float>(std::sin(angle) * std::cos(phi)));
+        taps.y.push_back(static_cast<float>(std::sin(angle) * std::sin(phi)));
+        taps.z.push_back(static_cast<float>(std::cos(angle)));
+    }
+    return taps;
+}
+
+CubeChain make_chain(const Panorama& panorama)
+{
+    const int log2_size = log2_face_size(panorama.width);
+    if (panorama.width > (6 << log2_size) && panorama.width % 2 == 0 && panorama.height % 2 == 0)
+        return make_chain(halved(panorama));
+    CubeChain chain;
+    chain.allocate(log2_size, log2_size);
+    chain.scale = chain_scale(panorama);
+    const int size = chain.face_size(0);
+    // Samples no further apart than the panorama's texels at a face's centre, where its texels are largest.
+    const int samples =
+        std::max(1, static_cast<int>(std::ceil(1.5 / std::numbers::pi * panorama.width / size)));
+    const Peaks peaks = find_peaks(panorama);
+    resample({&panorama, peaks.limit, samples}, std::vector<bool>(static_cast<std::size_t>(6 * size), true),
+             chain);
+    for (int level = 1; level < chain.levels; ++level)
+        blur_level(level, chain);
+    if (!peaks.peaks.empty()) {
+        for (int level = 1; level < chain.levels; ++level)
+            add_peaks(peaks, level, chain);
+        resample({&panorama, brightest_of_all, samples}, rows_with_peaks(peaks, size), chain);
+    }
+    return chain;
+}
+
+} // namespace lambent::environment

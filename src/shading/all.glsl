@@ -1,0 +1,3 @@
+#include "direct.glsl"
+#include "specular_ggx.glsl"
+#include "specular_phong.glsl"

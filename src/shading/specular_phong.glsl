@@ -1,0 +1,54 @@
+// The report's specular pass. Hooks: see README.md.
+
+// One of the report's samples: its direction about the mirrored view and what it weighs,
+// F / (4 (w.H)^2) max(N.w, 0), for each colour channel.
+struct PhongSample {
+    vec3 direction;
+    vec3 weight;
+    Real NH;
+};
+
+PhongSample phong_sample(Phong p, mat3 lobe, vec3 N, vec3 V, vec3 point)
+{
+    vec3 L = lobe * sample_phong(point, p.exponent);
+    vec3 sum = L + V;
+    Real inverse = inversesqrt(max(dot(sum, sum), 2.0e-6));
+    Real VH = min(dot(V, sum) * inverse, 1.0);
+    Real NL = max(dot(N, L), 0.0);
+    PhongSample s = {L, (NL * masking_phong(VH)) * fresnel_schlick(p.specular, VH),
+                     clamp(dot(N, sum) * inverse, 1.0e-4, 1.0)};
+    return s;
+}
+
+// The average of F / (4 (w.H)^2) environment(w) max(N.w, 0) over N samples of the lobe about the mirrored view
+// (DESIGN, "Specular pass"), each read through a blur as wide as the share of the lobe that it stands for.
+vec3 specular_phong(Environment environment, Phong p, vec3 N, vec3 V)
+{
+    mat3 lobe = orthonormal_frame(mirrored(N, V));
+    Real per_sample = 1.0 / (Real(sample_count(environment)) * level_one_variance(environment));
+    vec3 total = vec3(0.0);
+    for (int i = 0; i < sample_count(environment); ++i) {
+        vec3 point = lobe_point(environment, i);
+        PhongSample s = phong_sample(p, lobe, N, V, point);
+        Real spread = exp2(-log2_lobe_density_phong(point.x, p.exponent));
+        Real level = level_of_variance(variance_of_spread(spread) * per_sample);
+        total += s.weight * environment_radiance(environment, s.direction, level);
+    }
+    return total / Real(sample_count(environment));
+}
+
+// The same with the report's own choice of mip level, 1/2 log2(W H / N) - 1/2 log2(D(H) / 4), clamped, in the
+// panorama's own mip chain. The solid angle of the sphere, 4 pi, is missing from its first term: the level is
+// 1.83 too coarse, and narrow lobes show the texels of that level as blocks.
+vec3 specular_phong_report(Environment environment, Phong p, vec3 N, vec3 V)
+{
+    mat3 lobe = orthonormal_frame(mirrored(N, V));
+    Real base = report_base_level(environment) - 0.5 * log2(Real(sample_count(environment)));
+    vec3 total = vec3(0.0);
+    for (int i = 0; i < sample_count(environment); ++i) {
+        PhongSample s = phong_sample(p, lobe, N, V, lobe_point(environment, i));
+        Real level = base - 0.5 * (log2_density_phong(s.NH, p.exponent) - 2.0);
+        total += s.weight * environment_report_radiance(environment, s.direction, max(level, 0.0));
+    }
+    return total / Real(sample_count(environment));
+}
