@@ -8,7 +8,7 @@
 
 namespace lambent::environment {
 
-/// Three 9-bit mantissas under one 5-bit exponent. Components are cut to [0, 65408]; the error is at most 2^-10 of the
+/// Three 9-bit mantissas under one 5-bit exponent. Components are cut to [0, 65408]; the error is at most 2^-9 of the
 /// largest component (and 2^-25 absolute). [OpenGL 4.6, 8.5.2 "Encoding of Special Internal Formats"]
 inline std::uint32_t pack_rgb9e5(float r, float g, float b)
 {
@@ -47,7 +47,7 @@ inline std::uint16_t to_half(float value)
         return 0;
     const std::uint16_t sign = std::signbit(value) ? 0x8000 : 0;
     if (magnitude < 6.103515625e-05f) // subnormal: steps of 2^-24; adding 0.5 lets the adder round
-        return static_cast<std::uint16_t>(sign | (std::bit_cast<std::uint32_t>(magnitude + 0.5f) & 0x3ff));
+        return static_cast<std::uint16_t>(sign | (std::bit_cast<std::uint32_t>(magnitude + 0.5f) & 0x7ff));
     const std::uint32_t bits = std::bit_cast<std::uint32_t>(magnitude) - (112u << 23);
     return static_cast<std::uint16_t>(sign | (bits + 0xfff + (bits >> 13 & 1)) >> 13);
 }

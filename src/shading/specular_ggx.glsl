@@ -41,7 +41,8 @@ LobeLight specular_ggx(Environment environment, Mirror m)
         VisibleFacet facet = sample_visible_ggx(stretched, m.alpha, cap_point(environment, i));
         Real VH = sine * facet.normal.x + NV * facet.normal.z;
         vec3 L = vec3(2.0 * VH * facet.normal.x - sine, 2.0 * VH * facet.normal.y, 2.0 * VH * facet.normal.z - NV);
-        Real NL = max(L.z, 0.0);
+        // Below the horizon nothing is reflected; that little keeps the means defined when all samples are there.
+        Real NL = max(L.z, 1.0e-4);
         // shadowing_ggx without the factor that all samples share
         Real weight = NL / max(NL * SV + NV * smith_ggx(NL, m.alpha), 1.0e-20);
         Real weight_grazing = weight * schlick_weight(VH);

@@ -1,0 +1,384 @@
+#include "apps/cli/arguments.h"
+
+#include "apps/cli/values.h"
+#include "apps/cli/version.h"
+#include "base/error.h"
+#include "base/text.h"
+
+#include <CLI/CLI.hpp>
+
+#include <initializer_list>
+#include <utility>
+#include <vector>
+
+namespace lambent::cli {
+namespace {
+
+// Words as given; CLI11 fills these, and an empty one was not given.
+struct Words {
+    std::string size, camera, fov, aa;
+    std::string rotation, background, ambient, ibl, samples;
+    std::string model, mip_level, alpha, kd, ks, density;
+    std::string exposure, contrast, tone, space;
+    std::string backend, threads, stats, sun, turbidity;
+    std::vector<std::string> lights;
+    bool quiet = false, verbose = false, no_cache = false, no_compensation = false;
+};
+
+// The value that goes with a word. Throws Error(usage) with the words that would do.
+template <class Value>
+Value choose(const std::string& word, const std::string& option,
+             std::initializer_list<std::pair<const char*, Value>> choices)
+{
+    std::string known;
+    for (const auto& [name, value] : choices) {
+        if (word == name)
+            return value;
+        known += text(known.empty() ? "" : ", ", name);
+    }
+    throw Error(Failure::usage, text(option, ": '", word, "' is none of ", known));
+}
+
+float number_in(const std::string& word, const std::string& option, double least, double most)
+{
+    const double value = parse_number(word, option);
+    if (value < least || value > most)
+        throw Error(Failure::usage, text(option, ": ", word, " is not from ", least, " to ", most));
+    return static_cast<float>(value);
+}
+
+float positive(const std::string& word, const std::string& option)
+{
+    const float value = static_cast<float>(parse_number(word, option));
+    if (!(value > 0.0f))
+        throw Error(Failure::usage, text(option, ": ", word, " is not above 0"));
+    return value;
+}
+
+int whole_in(const std::string& word, const std::string& option, int least, int most)
+{
+    const double value = parse_number(word, option);
+    if (value < least || value > most || value != static_cast<double>(static_cast<int>(value)))
+        throw Error(Failure::usage,
+                    text(option, ": ", word, " is not a whole number from ", least, " to ", most));
+    return static_cast<int>(value);
+}
+
+void option(CLI::App& app, const std::string& name, std::string& word, const std::string& kind,
+            const std::string& help)
+{
+    app.add_option(name, word, help)->type_name(kind)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+}
+
+void add_common(CLI::App& app, Words& words)
+{
+    option(app, "--threads", words.threads, "N", "Worker threads (one per processor)");
+    option(app, "--stats", words.stats, "json",
+           "Print what was done and how long it took, as one JSON object");
+    app.add_flag("--quiet", words.quiet, "No progress bar, no warnings");
+    app.add_flag("--verbose", words.verbose, "Say what is being done");
+}
+
+CommonOptions common_options(const Words& words)
+{
+    CommonOptions common;
+    if (words.quiet && words.verbose)
+        throw Error(Failure::usage, "--quiet and --verbose exclude each other");
+    if (words.quiet)
+        common.verbosity = Verbosity::quiet;
+    if (words.verbose)
+        common.verbosity = Verbosity::verbose;
+    if (!words.threads.empty())
+        common.threads = whole_in(words.threads, "--threads", 1, 1024);
+    if (!words.stats.empty())
+        common.stats_json = choose<bool>(words.stats, "--stats", {{"json", true}});
+    return common;
+}
+
+void add_view(CLI::App& app, RenderArguments& arguments, Words& words)
+{
+    option(app, "--size", words.size, "WxH", "Picture size in pixels (1280x720)");
+    option(app, "--camera", words.camera, "AZ,EL[,DIST]",
+           "Degrees around and above the scene, metres from its middle (frames it)");
+    option(app, "--camera-node", arguments.camera_node, "NAME", "A camera of the glTF");
+    option(app, "--fov", words.fov, "DEG", "Vertical field of view (45)");
+    option(app, "--aa", words.aa, "N", "Samples per pixel where surfaces end (4)");
+    option(app, "--layers", arguments.layers, "DIR",
+           "Also write each layer of the G-buffer and of the light");
+}
+
+void add_light(CLI::App& app, RenderArguments& arguments, Words& words)
+{
+    option(app, "--env", arguments.environment, "ENV",
+           "A panorama (.hdr, .exr), or studio, sky, furnace, none (studio)");
+    option(app, "--env-rotation", words.rotation, "DEG", "Turn the environment about the vertical (0)");
+    option(app, "--background", words.background, "KIND", "env, none, R,G,B or blur:ROUGHNESS (env)");
+    app.add_option("--light", words.lights,
+                   "directional:AZ,EL,R,G,B (lux) or point:X,Y,Z,R,G,B (candela); repeatable")
+        ->type_name("LIGHT")
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->expected(1)
+        ->allow_extra_args(false);
+    option(app, "--ambient-brightness", words.ambient, "B",
+           "Factor on diffuse environment light (1; the report's is 2)");
+    option(app, "--ibl", words.ibl, "METHOD", "How specular environment light is found: sampled");
+    option(app, "--samples", words.samples, "N", "Samples of the specular lobe (40)");
+    app.add_flag("--no-cache", words.no_cache, "Neither read nor write the environment cache");
+}
+
+void add_material(CLI::App& app, Words& words)
+{
+    option(app, "--model", words.model, "MODEL", "ggx, as glTF, or phong, as the report (ggx)");
+    option(app, "--mip-level", words.mip_level, "RULE",
+           "phong: matched to the lobe, or the report's own choice, which shows blocks (matched)");
+    option(app, "--alpha", words.alpha, "A", "phong, built-in shapes: exponent, above 0, at most 1e6");
+    option(app, "--kd", words.kd, "R,G,B", "phong, built-in shapes: diffuse colour");
+    option(app, "--ks", words.ks, "R,G,B", "phong, built-in shapes: specular colour");
+    option(app, "--density", words.density, "X",
+           "Built-in shapes: triangles along an edge, times the usual (1)");
+    app.add_flag("--no-energy-compensation", words.no_compensation,
+                 "ggx: leave out light scattered more than once");
+}
+
+void add_display(CLI::App& app, RenderArguments& arguments, Words& words)
+{
+    option(app, "--exposure", words.exposure, "E", "Factor on the light before the tone curve (1)");
+    option(app, "--contrast", words.contrast, "K", "Power on the curve's result (1)");
+    option(app, "--tone", words.tone, "CURVE", "reinhard, neutral, aces, agx or linear (reinhard)");
+    option(app, "--space", words.space, "SPACE",
+           "linear, or nonlinear: neither texels nor output converted (linear)");
+    app.add_flag("--dither", arguments.display.dither, "Noise of one code against banding");
+}
+
+void apply_view(const Words& words, RenderArguments& arguments)
+{
+    if (!words.size.empty()) {
+        const Size size = parse_size(words.size, "--size");
+        arguments.settings.width = size.width;
+        arguments.settings.height = size.height;
+    }
+    if (!words.camera.empty() && !arguments.camera_node.empty())
+        throw Error(Failure::usage, "--camera and --camera-node exclude each other");
+    if (!words.camera.empty())
+        arguments.orbit = parse_orbit(words.camera, "--camera");
+    if (!words.fov.empty())
+        arguments.vertical_fov = radians(number_in(words.fov, "--fov", 0.1, 175.0));
+    if (!words.aa.empty())
+        arguments.settings.edge_samples = whole_in(words.aa, "--aa", 1, 64);
+}
+
+void apply_light(const Words& words, RenderArguments& arguments)
+{
+    draw::Settings& settings = arguments.settings;
+    if (!words.rotation.empty())
+        settings.environment_rotation =
+            radians(std::remainder(parse_number(words.rotation, "--env-rotation"), 360.0));
+    if (!words.background.empty())
+        settings.background = parse_background(words.background, "--background");
+    for (const std::string& light : words.lights)
+        settings.lights.push_back(parse_light(light, "--light"));
+    if (!words.ambient.empty())
+        settings.ambient_brightness = number_in(words.ambient, "--ambient-brightness", 0.0, 1.0e6);
+    if (!words.ibl.empty())
+        choose<bool>(words.ibl, "--ibl", {{"sampled", true}});
+    if (!words.samples.empty())
+        settings.samples = whole_in(words.samples, "--samples", 1, 65536);
+}
+
+void apply_material(const Words& words, RenderArguments& arguments)
+{
+    using draw::Model, draw::MipLevel;
+    draw::Settings& settings = arguments.settings;
+    if (!words.model.empty())
+        settings.model =
+            choose<Model>(words.model, "--model", {{"ggx", Model::ggx}, {"phong", Model::phong}});
+    if (!words.mip_level.empty())
+        settings.mip_level = choose<MipLevel>(words.mip_level, "--mip-level",
+                                              {{"matched", MipLevel::matched}, {"report", MipLevel::report}});
+    settings.energy_compensation = !words.no_compensation;
+    const bool phong = settings.model == Model::phong, built_in = scene::is_builtin(arguments.scene);
+    for (const auto& [name, word] :
+         {std::pair("--alpha", &words.alpha), {"--kd", &words.kd}, {"--ks", &words.ks}})
+        if (!word->empty() && !(phong && built_in))
+            throw Error(Failure::usage, text(name, ": only with --model phong and a built-in shape"));
+    if (!words.density.empty() && !built_in)
+        throw Error(Failure::usage, "--density: only with a built-in shape");
+    if (!words.alpha.empty()) {
+        arguments.builtin.exponent = positive(words.alpha, "--alpha");
+        number_in(words.alpha, "--alpha", 0.0, 1.0e6);
+    }
+    if (!words.kd.empty())
+        arguments.builtin.diffuse = parse_color(words.kd, "--kd");
+    if (!words.ks.empty())
+        arguments.builtin.specular = parse_color(words.ks, "--ks");
+    if (!words.density.empty())
+        arguments.builtin.density = number_in(words.density, "--density", 0.0625, 8.0);
+}
+
+void apply_display(const Words& words, RenderArguments& arguments)
+{
+    using display::Tone;
+    display::Settings& settings = arguments.display;
+    if (!words.exposure.empty())
+        settings.exposure = positive(words.exposure, "--exposure");
+    if (!words.contrast.empty())
+        settings.contrast = positive(words.contrast, "--contrast");
+    if (!words.tone.empty())
+        settings.tone = choose<Tone>(words.tone, "--tone",
+                                     {{"reinhard", Tone::reinhard},
+                                      {"neutral", Tone::neutral},
+                                      {"aces", Tone::aces},
+                                      {"agx", Tone::agx},
+                                      {"linear", Tone::linear}});
+    if (!words.space.empty())
+        settings.encode = choose<bool>(words.space, "--space", {{"linear", true}, {"nonlinear", false}});
+    // The report decodes its texels by the power that it encodes with; glTF's are sRGB.
+    using draw::TexelTransfer;
+    const bool phong = arguments.settings.model == draw::Model::phong;
+    arguments.settings.texel_transfer = !settings.encode ? TexelTransfer::none
+                                        : phong          ? TexelTransfer::power_2_2
+                                                         : TexelTransfer::srgb;
+}
+
+void add_output(CLI::App& app, std::string& output, const std::string& help)
+{
+    app.add_option("-o,--output", output, help)->type_name("FILE")->required();
+}
+
+RenderArguments finished(const Words& words, RenderArguments arguments)
+{
+    arguments.common = common_options(words);
+    apply_view(words, arguments);
+    apply_light(words, arguments);
+    apply_material(words, arguments);
+    apply_display(words, arguments);
+    if (!words.backend.empty())
+        choose<bool>(words.backend, "--backend", {{"auto", true}, {"cpu", true}});
+    return arguments;
+}
+
+EnvArguments finished(const Words& words, EnvArguments arguments)
+{
+    arguments.common = common_options(words);
+    environment::BuiltinOptions& options = arguments.builtin;
+    if (!words.size.empty()) {
+        const Size size = parse_size(words.size, "--size");
+        if (size.width != 2 * size.height)
+            throw Error(Failure::usage, text("--size: ", words.size, " is not twice as wide as high"));
+        options.width = size.width;
+    }
+    if (!words.sun.empty()) {
+        const draw::Orbit sun = parse_orbit(words.sun, "--sun");
+        options.sun_azimuth = sun.azimuth;
+        options.sun_elevation = sun.elevation;
+    }
+    if (!words.turbidity.empty())
+        options.turbidity = number_in(words.turbidity, "--turbidity", 1.5, 10.0);
+    return arguments;
+}
+
+// The whole grammar, and where its words go.
+struct Grammar {
+    CLI::App app{
+        "Physically based and image based lighting: pictures of models under the light of real places.",
+        "lambent"};
+    Words words;
+    RenderArguments render;
+    EnvArguments env;
+    InfoArguments info;
+    CLI::App* render_command = nullptr;
+    CLI::App* env_command = nullptr;
+    CLI::App* info_command = nullptr;
+
+    Grammar()
+    {
+        app.set_version_flag("--version", text("lambent ", version));
+        app.require_subcommand(1);
+        app.footer("SCENE: a .gltf or .glb file, or sphere, teapot, plane, report, grid, furnace.\n"
+                   "'lambent COMMAND --help' lists a command's options.");
+        add_render();
+        add_env();
+        add_info();
+    }
+
+    void add_render()
+    {
+        render_command = app.add_subcommand("render", "Draw a picture of a scene");
+        CLI::App& command = *render_command;
+        command.add_option("scene", render.scene, "A .gltf or .glb, or a built-in scene")
+            ->type_name("SCENE")
+            ->required();
+        add_output(command, render.output,
+                   "The picture: .png .jpg (as displayed), .exr .hdr (linear radiance)");
+        add_light(command, render, words);
+        add_view(command, render, words);
+        add_material(command, words);
+        add_display(command, render, words);
+        option(command, "--backend", words.backend, "NAME", "auto or cpu (auto)");
+        add_common(command, words);
+    }
+
+    void add_env()
+    {
+        env_command = app.add_subcommand("env", "Write a built-in environment");
+        CLI::App& command = *env_command;
+        command.add_option("name", env.name, "studio, sky or furnace")->type_name("NAME")->required();
+        add_output(command, env.output, "The panorama: .hdr or .exr");
+        option(command, "--size", words.size, "WxH", "Size in texels, twice as wide as high (1024x512)");
+        option(command, "--sun", words.sun, "AZ,EL",
+               "sky: where the sun stands, degrees, as --camera (132,40)");
+        option(command, "--turbidity", words.turbidity, "T", "sky: haze, 1.5 to 10 (3)");
+        add_common(command, words);
+    }
+
+    void add_info()
+    {
+        info_command = app.add_subcommand("info", "Say what is in a glTF or an image");
+        CLI::App& command = *info_command;
+        command.add_option("file", info.file, "A .gltf, .glb, .hdr, .exr, .png or .jpg")
+            ->type_name("FILE")
+            ->required();
+        command.add_flag("--json", info.json, "As one JSON object");
+        add_common(command, words);
+    }
+
+    Arguments result()
+    {
+        if (render_command->parsed())
+            return finished(words, render);
+        if (env_command->parsed())
+            return finished(words, env);
+        info.common = common_options(words);
+        return info;
+    }
+};
+
+// The first line of a message, for CLI11's may be long.
+std::string first_line(const std::string& message)
+{
+    return message.substr(0, message.find('\n'));
+}
+
+} // namespace
+
+Arguments parse_arguments(int count, const char* const* words)
+{
+    Grammar grammar;
+    try {
+        grammar.app.parse(count, words);
+    } catch (const CLI::CallForHelp&) {
+        return PrintText{grammar.app.help()};
+    } catch (const CLI::CallForAllHelp&) {
+        return PrintText{grammar.app.help("", CLI::AppFormatMode::All)};
+    } catch (const CLI::CallForVersion&) {
+        return PrintText{text("lambent ", version, "\n")};
+    } catch (const CLI::ParseError& error) {
+        if (count > 1 && words[1][0] != '-' && !grammar.app.get_subcommand_no_throw(words[1]))
+            throw Error(Failure::usage,
+                        text("there is no command '", words[1], "'; lambent --help lists them"));
+        throw Error(Failure::usage, first_line(error.what()));
+    }
+    return grammar.result();
+}
+
+} // namespace lambent::cli

@@ -1,0 +1,61 @@
+// The command line as a value.
+#pragma once
+
+#include "display/display.h"
+#include "draw/settings.h"
+#include "environment/builtin.h"
+#include "scene/builtin.h"
+
+#include <optional>
+#include <string>
+#include <variant>
+
+namespace lambent::cli {
+
+/// How much is said beside the result.
+enum class Verbosity { quiet, normal, verbose };
+
+struct CommonOptions {
+    Verbosity verbosity = Verbosity::normal;
+    int threads = 0; ///< 0: one per processor
+    bool stats_json = false;
+};
+
+struct RenderArguments {
+    CommonOptions common;
+    std::string scene;
+    std::string environment = "studio";
+    std::string output;
+    std::string layers; ///< folder; empty: none
+    draw::Settings settings;
+    std::optional<draw::Orbit> orbit; ///< unset: the default view, or camera_node
+    std::string camera_node;
+    float vertical_fov = 0.7853982f;
+    display::Settings display;
+    scene::BuiltinOptions builtin;
+};
+
+struct EnvArguments {
+    CommonOptions common;
+    std::string name;
+    std::string output;
+    environment::BuiltinOptions builtin;
+};
+
+struct InfoArguments {
+    CommonOptions common;
+    std::string file;
+    bool json = false;
+};
+
+/// Text to be printed instead of doing anything: --help, --version.
+struct PrintText {
+    std::string text;
+};
+
+using Arguments = std::variant<PrintText, RenderArguments, EnvArguments, InfoArguments>;
+
+/// Throws Error(usage) with one line for whatever is wrong.
+Arguments parse_arguments(int count, const char* const* words);
+
+} // namespace lambent::cli

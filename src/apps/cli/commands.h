@@ -1,0 +1,12 @@
+// What each command does. All throw Error.
+#pragma once
+
+#include "apps/cli/arguments.h"
+
+namespace lambent::cli {
+
+void run(const RenderArguments& arguments);
+void run(const EnvArguments& arguments);
+void run(const InfoArguments& arguments);
+
+} // namespace lambent::cli

@@ -1,0 +1,36 @@
+// What is said on standard error: warnings, remarks, a progress bar.
+#pragma once
+
+#include "apps/cli/arguments.h"
+#include "base/error.h"
+
+#include <chrono>
+#include <string>
+
+namespace lambent::cli {
+
+class Console {
+public:
+    explicit Console(Verbosity verbosity);
+
+    /// "lambent: warning: LINE", unless quiet.
+    void warn(const Warnings& warnings) const;
+
+    /// A remark, only if verbose.
+    void remark(const std::string& line) const;
+
+    /// A bar with the time left, if work has taken over a second and standard error is a terminal; not if quiet.
+    void progress(float done);
+
+    /// Takes the bar away.
+    void end_progress();
+
+private:
+    using Clock = std::chrono::steady_clock;
+    Verbosity verbosity_;
+    bool terminal_;
+    bool shown_ = false;
+    Clock::time_point start_ = Clock::now(), last_ = start_;
+};
+
+} // namespace lambent::cli

@@ -1,0 +1,89 @@
+#include "apps/cli/commands.h"
+#include "apps/cli/console.h"
+#include "apps/cli/stats.h"
+#include "base/error.h"
+#include "base/file.h"
+#include "base/text.h"
+#include "image/image_io.h"
+#include "scene/gltf.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+
+namespace lambent::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json triple(const glm::vec3& v)
+{
+    return {v.x, v.y, v.z};
+}
+
+Json describe_scene(const scene::Scene& scene)
+{
+    Json info = {{"format", "glTF 2.0"}, {"triangles", scene::triangle_count(scene)}};
+    info["instances"] = scene.instances.size();
+    info["meshes"] = scene.meshes.size();
+    info["materials"] = scene.materials.size();
+    info["textures"] = Json::array();
+    for (const image::CodeImage& image : scene.images)
+        info["textures"].push_back(text(image.width, "x", image.height, ", ", image.bits, " bits"));
+    info["cameras"] = Json::array();
+    for (const scene::Camera& camera : scene.cameras)
+        info["cameras"].push_back(camera.name);
+    info["lights"] = scene.lights.size();
+    const scene::Bounds bounds = scene::bounds(scene);
+    if (bounds.low.x <= bounds.high.x) {
+        info["low_corner_m"] = triple(bounds.low);
+        info["high_corner_m"] = triple(bounds.high);
+    }
+    return info;
+}
+
+// Whether the file starts as a binary glTF, or as JSON does.
+bool looks_like_gltf(const std::string& path)
+{
+    const std::vector<std::uint8_t> start = read_start(path, 64);
+    const std::string head(start.begin(), start.end());
+    return head.starts_with("glTF") || head.find_first_not_of(" \t\r\n\xef\xbb\xbf") == head.find('{');
+}
+
+Json describe(const std::string& path, Warnings& warnings)
+{
+    if (looks_like_gltf(path))
+        return describe_scene(scene::load_gltf(path, warnings));
+    const image::ImageInfo info = image::inspect(path);
+    return {{"format", info.format}, {"detail", info.detail}, {"width", info.width}, {"height", info.height}};
+}
+
+std::string plain(const Json& value)
+{
+    if (value.is_string())
+        return value.get<std::string>();
+    if (!value.is_array())
+        return value.dump();
+    std::string line;
+    for (const Json& item : value)
+        line += text(line.empty() ? "" : "; ", plain(item));
+    return line.empty() ? "none" : line;
+}
+
+} // namespace
+
+void run(const InfoArguments& arguments)
+{
+    Warnings warnings;
+    Json info = describe(arguments.file, warnings);
+    Console(arguments.common.verbosity).warn(warnings);
+    if (arguments.json || arguments.common.stats_json) {
+        info["file"] = arguments.file;
+        print(info);
+        return;
+    }
+    for (const auto& [key, value] : info.items())
+        std::printf("%-14s %s\n", key.c_str(), plain(value).c_str());
+}
+
+} // namespace lambent::cli

@@ -1,0 +1,20 @@
+// A drawn picture as a file.
+#pragma once
+
+#include "display/display.h"
+#include "image/image.h"
+
+#include <filesystem>
+
+namespace lambent::cli {
+
+/// Throws Error(usage) if the name's extension is none of .png .jpg .jpeg .exr .hdr, Error(cannot_write) if it is
+/// plain already that the file cannot be written: to be asked before the work.
+void check_picture_file(const std::filesystem::path& path);
+
+/// .exr and .hdr: linear light as it is. .png and .jpg: as displayed; with `transparent`, a PNG gets the picture's
+/// coverage as alpha, and colours that are not multiplied by it.
+void write_picture(const image::RadianceImage& picture, const display::Settings& display, bool transparent,
+                   const std::filesystem::path& path);
+
+} // namespace lambent::cli

@@ -1,0 +1,123 @@
+#include "apps/cli/commands.h"
+#include "apps/cli/console.h"
+#include "apps/cli/layer_files.h"
+#include "apps/cli/picture_file.h"
+#include "apps/cli/stats.h"
+#include "apps/cli/stopwatch.h"
+#include "apps/cli/threads.h"
+#include "apps/cli/values.h"
+#include "base/text.h"
+#include "draw/cpu/cpu_renderer.h"
+#include "environment/environment.h"
+#include "scene/gltf.h"
+
+#include <nlohmann/json.hpp>
+
+#include <optional>
+
+namespace lambent::cli {
+namespace {
+
+scene::Scene load_scene(const RenderArguments& arguments, Warnings& warnings)
+{
+    if (scene::is_builtin(arguments.scene))
+        return scene::make_builtin(arguments.scene, arguments.builtin);
+    return scene::load_gltf(arguments.scene, warnings);
+}
+
+std::optional<environment::Environment> load_environment(const std::string& name, Warnings& warnings)
+{
+    if (name == "none")
+        return std::nullopt;
+    if (environment::is_builtin(name))
+        return environment::make_environment(environment::make_panorama(environment::make_builtin(name)));
+    return environment::make_environment(environment::load_panorama(name, warnings));
+}
+
+// Charts are looked at from the front; everything else three quarters from the front, a little from above.
+draw::Orbit default_orbit(const std::string& scene)
+{
+    if (scene == "grid" || scene == "furnace")
+        return {};
+    if (scene == "report")
+        return {0.0f, radians(20.0), 0.0f};
+    return {radians(30.0), radians(20.0), 0.0f};
+}
+
+draw::Camera choose_camera(const RenderArguments& arguments, const scene::Scene& scene)
+{
+    if (!arguments.camera_node.empty()) {
+        for (const scene::Camera& camera : scene.cameras)
+            if (camera.name == arguments.camera_node)
+                return draw::from_scene(camera);
+        throw Error(Failure::usage, text("--camera-node: ", arguments.scene, " has no camera '",
+                                         arguments.camera_node, "' (it has ", scene.cameras.size(), ")"));
+    }
+    const float aspect =
+        static_cast<float>(arguments.settings.width) / static_cast<float>(arguments.settings.height);
+    return draw::orbit_camera(scene::bounds(scene), arguments.orbit.value_or(default_orbit(arguments.scene)),
+                              arguments.vertical_fov, aspect);
+}
+
+nlohmann::ordered_json describe(const RenderArguments& arguments, const scene::Scene& scene,
+                        const draw::Renderer& renderer)
+{
+    const draw::Renderer::Device device = renderer.device();
+    return {{"command", "render"},
+            {"scene", arguments.scene},
+            {"environment", arguments.environment},
+            {"output", arguments.output},
+            {"backend", device.backend},
+            {"device", device.description},
+            {"width", arguments.settings.width},
+            {"height", arguments.settings.height},
+            {"samples", arguments.settings.samples},
+            {"triangles", scene::triangle_count(scene)}};
+}
+
+void write(const RenderArguments& arguments, const draw::Frame& frame)
+{
+    using Kind = draw::Background::Kind;
+    const bool transparent = arguments.settings.background.kind == Kind::none;
+    write_picture(frame.radiance, arguments.display, transparent, arguments.output);
+    if (!arguments.layers.empty())
+        write_layers(frame.layers, arguments.layers, arguments.display);
+}
+
+} // namespace
+
+void run(const RenderArguments& arguments)
+{
+    check_picture_file(arguments.output);
+    const ThreadLimit limit(arguments.common.threads);
+    Console console(arguments.common.verbosity);
+    Stopwatch watch;
+    Warnings warnings;
+    const scene::Scene scene = load_scene(arguments, warnings);
+    watch.lap("scene");
+    const std::optional<environment::Environment> environment =
+        load_environment(arguments.environment, warnings);
+    watch.lap("environment");
+    console.warn(warnings);
+    console.remark(text(arguments.scene, ": ", scene::triangle_count(scene), " triangles, ",
+                        scene.materials.size(), " materials, ", scene.images.size(), " textures"));
+
+    draw::Settings settings = arguments.settings;
+    settings.camera = choose_camera(arguments, scene);
+    settings.layers = !arguments.layers.empty();
+    const std::unique_ptr<draw::Renderer> renderer = draw::make_cpu_renderer(scene);
+    const draw::Frame frame = renderer->draw(environment ? &*environment : nullptr, settings,
+                                             [&](float done) { console.progress(done); });
+    console.end_progress();
+    watch.lap("draw");
+    write(arguments, frame);
+    watch.lap("write");
+    console.remark(text("wrote ", arguments.output));
+    if (arguments.common.stats_json) {
+        nlohmann::ordered_json stats = describe(arguments, scene, *renderer);
+        add_cost(watch, stats);
+        print(stats);
+    }
+}
+
+} // namespace lambent::cli

@@ -1,0 +1,45 @@
+// Words of the command line that are more than one number.
+#pragma once
+
+#include "draw/settings.h"
+#include "scene/scene.h"
+
+#include <glm/vec3.hpp>
+
+#include <string>
+#include <vector>
+
+namespace lambent::cli {
+
+struct Size {
+    int width = 0, height = 0;
+};
+
+/// A number, whole string, finite. Throws Error(usage) naming `option`.
+double parse_number(const std::string& word, const std::string& option);
+
+/// "WxH", each from 1 to 65536 and at most 2^28 pixels. Throws Error(usage).
+Size parse_size(const std::string& word, const std::string& option);
+
+/// Numbers between commas; their count must be from `least` to `most`. Throws Error(usage).
+struct Count {
+    std::size_t least, most;
+};
+std::vector<double> parse_list(const std::string& word, Count count, const std::string& option);
+
+/// "R,G,B", none negative. Throws Error(usage).
+glm::vec3 parse_color(const std::string& word, const std::string& option);
+
+/// "AZIMUTH,ELEVATION" or "AZIMUTH,ELEVATION,DISTANCE", degrees and metres. Throws Error(usage).
+draw::Orbit parse_orbit(const std::string& word, const std::string& option);
+
+/// "env", "none", "R,G,B" or "blur:ROUGHNESS". Throws Error(usage).
+draw::Background parse_background(const std::string& word, const std::string& option);
+
+/// "directional:AZ,EL,R,G,B" (degrees towards the light, lux) or "point:X,Y,Z,R,G,B" (metres, candela).
+/// Throws Error(usage).
+scene::Light parse_light(const std::string& word, const std::string& option);
+
+float radians(double degrees);
+
+} // namespace lambent::cli

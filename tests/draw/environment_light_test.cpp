@@ -1,0 +1,132 @@
+// The environment as background and in mirrors: where it is, which way it turns, how sharp it is.
+#include "tests/draw/test_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace lambent::draw {
+namespace {
+
+using testing::pixel;
+
+// A lamp of 5 degrees' radius.
+environment::Environment lamp(glm::dvec3 towards)
+{
+    const glm::dvec3 axis = glm::normalize(towards);
+    return testing::environment_of(512, [=](glm::dvec3 d) {
+        return glm::dot(d, axis) > std::cos(5.0 * std::numbers::pi / 180.0) ? glm::vec3(1.0f)
+                                                                            : glm::vec3(0.0f);
+    });
+}
+
+// A camera at the origin, looking along -Z, 90 degrees high and wide.
+Settings look_out(int size)
+{
+    Camera camera;
+    camera.vertical_fov = 1.5707963f;
+    Settings settings = testing::small_settings(size, size, camera);
+    settings.background.kind = Background::Kind::environment;
+    return settings;
+}
+
+TEST(EnvironmentLight, BackgroundIsWhereItsDirectionIs)
+{
+    scene::Scene nothing;
+    nothing.materials.emplace_back();
+    const environment::Environment ahead = lamp({0, 0, -1}), right = lamp({0.5, 0, -1}),
+                                   above = lamp({0, 0.5, -1});
+    EXPECT_NEAR(pixel(testing::draw(nothing, &ahead, look_out(101)), 50, 50).r, 1.0f, 1e-2f);
+    EXPECT_NEAR(pixel(testing::draw(nothing, &right, look_out(101)), 75, 50).r, 1.0f, 1e-2f);
+    EXPECT_NEAR(pixel(testing::draw(nothing, &above, look_out(101)), 50, 25).r, 1.0f, 1e-2f);
+    EXPECT_EQ(pixel(testing::draw(nothing, &above, look_out(101)), 50, 75).r, 0.0f);
+    EXPECT_EQ(pixel(testing::draw(nothing, &above, look_out(101)), 50, 25).a, 0.0f);
+}
+
+TEST(EnvironmentLight, RotationTurnsCounterClockwiseSeenFromAbove)
+{
+    scene::Scene nothing;
+    nothing.materials.emplace_back();
+    const environment::Environment at_x = lamp({1, 0, 0});
+    Settings settings = look_out(101);
+    settings.environment_rotation = 1.5707963f; // +X goes to -Z, as glTF's rotations about +Y do
+    EXPECT_NEAR(pixel(testing::draw(nothing, &at_x, settings), 50, 50).r, 1.0f, 1e-2f);
+}
+
+// A mirror at 45 degrees shows what is straight up; a rough one shows it blurred.
+TEST(EnvironmentLight, MirrorsShowTheMirroredDirection)
+{
+    scene::Scene scene;
+    scene::Material mirror;
+    mirror.metallic = 1.0f;
+    mirror.perceptual_roughness = 0.0f;
+    testing::add(scene, testing::facing_square(1.0f, 0.0f), mirror,
+                 glm::rotate(glm::mat4(1.0f), -0.78539816f, glm::vec3(1, 0, 0)));
+    const Settings settings = testing::small_settings(9, 9, testing::front_camera(0.5f));
+    const environment::Environment above = lamp({0, 1, 0}), beside = lamp({1, 0, 0});
+    EXPECT_NEAR(pixel(testing::draw(scene, &above, settings), 4, 4).r, 1.0f, 1e-2f);
+    EXPECT_NEAR(pixel(testing::draw(scene, &beside, settings), 4, 4).r, 0.0f, 1e-2f);
+    scene.materials[0].perceptual_roughness = 0.5f;
+    const float blurred = pixel(testing::draw(scene, &above, settings), 4, 4).r;
+    EXPECT_GT(blurred, 0.02f);
+    EXPECT_LT(blurred, 0.6f);
+}
+
+// A mirroring sphere a few pixels wide shows the whole sphere of directions: its pixels must average, not pick.
+TEST(EnvironmentLight, MirrorsAverageOverTheirPixels)
+{
+    scene::Scene scene;
+    scene::Material mirror;
+    mirror.metallic = 1.0f;
+    mirror.perceptual_roughness = 0.0f;
+    testing::add(scene, scene::make_sphere(0.5f, 128, 64), mirror);
+    const environment::Environment stripes = testing::environment_of(512, [](glm::dvec3 d) {
+        return glm::vec3(std::sin(60.0 * std::atan2(d.z, d.x)) > 0.0 ? 2.0f : 0.0f);
+    });
+    Settings coarse = testing::small_settings(16, 16, testing::front_camera(1.0f));
+    coarse.edge_samples = 1;
+    Settings fine = testing::small_settings(16 * 16, 16 * 16, testing::front_camera(1.0f));
+    fine.edge_samples = 1;
+    const Frame small = testing::draw(scene, &stripes, coarse), large = testing::draw(scene, &stripes, fine);
+    for (int y = 5; y < 11; ++y)
+        for (int x = 5; x < 11; ++x) {
+            float mean = 0.0f;
+            for (int k = 0; k < 256; ++k)
+                mean += pixel(large, 16 * x + k % 16, 16 * y + k / 16).r / 256.0f;
+            EXPECT_NEAR(pixel(small, x, y).r, mean, 0.15f) << x << ' ' << y;
+        }
+}
+
+TEST(EnvironmentLight, BlurredBackgroundIsSmootherAndKeepsItsMean)
+{
+    scene::Scene nothing;
+    nothing.materials.emplace_back();
+    const environment::Environment ahead = lamp({0, 0, -1});
+    Settings settings = look_out(64);
+    settings.background.kind = Background::Kind::blurred;
+    settings.background.roughness = 0.4f;
+    const Frame blurred = testing::draw(nothing, &ahead, settings);
+    EXPECT_LT(pixel(blurred, 32, 32).r, 0.6f);
+    EXPECT_GT(pixel(blurred, 32, 32).r, pixel(blurred, 40, 32).r);
+    EXPECT_GT(pixel(blurred, 40, 32).r, pixel(blurred, 60, 32).r);
+}
+
+// The report's own level choice is 1/2 log2(4 pi) = 1.83 levels coarser: a narrow lobe is blurred further.
+TEST(EnvironmentLight, TheReportsLevelsAreCoarser)
+{
+    scene::Scene scene;
+    scene::Material glossy;
+    glossy.phong = scene::PhongMaterial{glm::vec3(0.0f), glm::vec3(1.0f), 15625.0f};
+    testing::add(scene, testing::facing_square(1.0f, 0.0f), glossy);
+    Settings settings = testing::small_settings(9, 9, testing::front_camera(0.5f));
+    settings.model = Model::phong;
+    const environment::Environment behind_us =
+        lamp({0, 0.114, 1}); // 6.5 degrees off: its rim is 1.5 degrees away
+    const float matched = pixel(testing::draw(scene, &behind_us, settings), 4, 4).r;
+    settings.mip_level = MipLevel::report;
+    const float report = pixel(testing::draw(scene, &behind_us, settings), 4, 4).r;
+    EXPECT_GT(report, matched + 0.02f);
+}
+
+} // namespace
+} // namespace lambent::draw

@@ -1,0 +1,202 @@
+// What is seen where: cameras, sides, transforms, transparency, edges.
+#include "draw/cpu/visibility.h"
+#include "tests/draw/test_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace lambent::draw {
+namespace {
+
+using testing::add;
+using testing::facing_square;
+using testing::glowing;
+using testing::pixel;
+
+Settings view(int size, float extent = 2.0f)
+{
+    return testing::small_settings(size, size, testing::front_camera(extent));
+}
+
+TEST(Visibility, OutsideIsTheFrontAlsoWhenInstancedOrMirrored)
+{
+    for (float mirror : {1.0f, -1.0f})
+        for (int copies : {1, 2}) { // two copies make the mesh an instance of a shared one
+            scene::Scene scene;
+            scene.materials.emplace_back();
+            scene.meshes.push_back(scene::make_sphere(0.5f, 16, 8));
+            for (int i = 0; i < copies; ++i)
+                scene.instances.push_back(
+                    {0, -1,
+                     glm::scale(
+                         glm::translate(glm::mat4(1.0f), glm::vec3(3.0f * static_cast<float>(i), 0, 0)),
+                         glm::vec3(mirror, 1.0f, 2.0f))});
+            const Visibility visibility(scene);
+            Rays rays;
+            rays.resize(1);
+            rays.origin[0] = {0.1f}, rays.origin[1] = {0.05f}, rays.origin[2] = {5.0f};
+            rays.direction[0] = {0.0f}, rays.direction[1] = {0.0f}, rays.direction[2] = {-1.0f};
+            rays.near = {0.0f};
+            Hit hit;
+            visibility.trace(rays, &hit);
+            ASSERT_TRUE(hit.found());
+            EXPECT_EQ(hit.instance, 0u);
+            EXPECT_TRUE(hit.front);
+            EXPECT_GT(hit.normal.z, 0.5f);
+            EXPECT_NEAR(hit.distance, 4.0f, 0.1f);
+            rays.near = {4.5f}; // from inside
+            visibility.trace(rays, &hit);
+            ASSERT_TRUE(hit.found());
+            EXPECT_FALSE(hit.front);
+            EXPECT_LT(hit.normal.z, -0.5f);
+        }
+}
+
+TEST(Visibility, NearerHidesFarther)
+{
+    scene::Scene scene;
+    add(scene, facing_square(1.0f, 0.0f), glowing({1, 0, 0}));
+    add(scene, facing_square(0.5f, 1.0f), glowing({0, 1, 0}));
+    const Frame frame = testing::draw(scene, nullptr, view(8));
+    EXPECT_EQ(pixel(frame, 4, 4).g, 1.0f);
+    EXPECT_EQ(pixel(frame, 4, 4).r, 0.0f);
+    EXPECT_EQ(pixel(frame, 0, 0).r, 1.0f);
+}
+
+TEST(Visibility, BacksAreLookedThroughUnlessDoubleSided)
+{
+    const glm::mat4 turned = glm::rotate(glm::mat4(1.0f), 3.14159265f, glm::vec3(0, 1, 0));
+    for (bool double_sided : {false, true}) {
+        scene::Scene scene;
+        scene::Material front = glowing({0, 1, 0});
+        front.double_sided = double_sided;
+        add(scene, facing_square(1.0f, -1.0f), front, turned); // at z = 1, facing away
+        add(scene, facing_square(1.0f, 0.0f), glowing({1, 0, 0}));
+        const glm::vec4 seen = pixel(testing::draw(scene, nullptr, view(8)), 3, 4);
+        EXPECT_EQ(seen.g, double_sided ? 1.0f : 0.0f);
+        EXPECT_EQ(seen.r, double_sided ? 0.0f : 1.0f);
+    }
+}
+
+TEST(Visibility, UpIsUpAndRightIsRight)
+{
+    scene::Scene scene;
+    add(scene, facing_square(0.2f, 0.0f), glowing({1, 0, 0}),
+        glm::translate(glm::mat4(1.0f), glm::vec3(0.5f, 0, 0)));
+    add(scene, facing_square(0.2f, 0.0f), glowing({0, 1, 0}),
+        glm::translate(glm::mat4(1.0f), glm::vec3(0, 0.5f, 0)));
+    const Frame frame = testing::draw(scene, nullptr, view(16));
+    EXPECT_EQ(pixel(frame, 12, 8).r, 1.0f);
+    EXPECT_EQ(pixel(frame, 8, 3).g, 1.0f);
+}
+
+TEST(Visibility, MasksCutAndBlendsMix)
+{
+    scene::Scene scene;
+    scene::Material glass = glowing({0, 1, 0});
+    glass.alpha_mode = scene::AlphaMode::blend;
+    glass.base_color.a = 0.25f;
+    scene::Material hole = glowing({5, 5, 5});
+    hole.alpha_mode = scene::AlphaMode::mask;
+    hole.base_color.a = 0.4f;
+    add(scene, facing_square(1.0f, 0.0f), glowing({1, 0, 0}));
+    add(scene, facing_square(1.0f, 1.0f), glass);
+    add(scene, facing_square(1.0f, 2.0f), glass);
+    add(scene, facing_square(1.0f, 3.0f), hole);
+    const glm::vec4 seen = pixel(testing::draw(scene, nullptr, view(4)), 1, 2);
+    EXPECT_NEAR(seen.g, 0.25f + 0.75f * 0.25f, 1e-6f);
+    EXPECT_NEAR(seen.r, 0.75f * 0.75f, 1e-6f);
+    EXPECT_NEAR(seen.a, 1.0f, 1e-6f);
+}
+
+TEST(Visibility, BlendedAloneIsPartlyCovered)
+{
+    scene::Scene scene;
+    scene::Material glass = glowing({0, 1, 0});
+    glass.alpha_mode = scene::AlphaMode::blend;
+    glass.base_color.a = 0.25f;
+    add(scene, facing_square(1.0f, 0.0f), glass);
+    Settings settings = view(4);
+    settings.background.kind = Background::Kind::color;
+    settings.background.color = {0.0f, 0.0f, 2.0f};
+    const glm::vec4 seen = pixel(testing::draw(scene, nullptr, settings), 1, 2);
+    EXPECT_NEAR(seen.a, 0.25f, 1e-6f);
+    EXPECT_NEAR(seen.b, 0.75f * 2.0f, 1e-6f);
+}
+
+// Coverage summed over the picture is the square's area; with more samples per pixel it comes closer.
+TEST(Visibility, EdgesAreCoveredByTheirShare)
+{
+    scene::Scene scene;
+    add(scene, facing_square(0.5f, 0.0f), glowing({1, 1, 1}),
+        glm::rotate(glm::mat4(1.0f), 0.3f, glm::vec3(0, 0, 1)));
+    const double pixels = std::pow(101.0 / 2.0, 2); // per square metre
+    double before = 1.0;
+    for (int samples : {1, 4, 16, 64}) {
+        Settings settings = view(101);
+        settings.edge_samples = samples;
+        const Frame frame = testing::draw(scene, nullptr, settings);
+        double covered = 0.0, roughness = 0.0;
+        for (std::size_t i = 0; i < frame.radiance.values.size(); i += 4) {
+            covered += frame.radiance.values[i + 3];
+            ASSERT_NEAR(frame.radiance.values[i], frame.radiance.values[i + 3], 1e-6f);
+        }
+        EXPECT_NEAR(covered / pixels, 1.0, 0.01);
+        // The exact coverage of every pixel, by 32x32 points.
+        for (int y = 0; y < 101; ++y)
+            for (int x = 0; x < 101; ++x) {
+                int inside = 0;
+                for (int k = 0; k < 1024; ++k) {
+                    const double px = ((x + (k % 32 + 0.5) / 32) / 101 - 0.5) * 2.0;
+                    const double py = (0.5 - (y + (k / 32 + 0.5) / 32) / 101) * 2.0;
+                    const double u = std::cos(0.3) * px + std::sin(0.3) * py;
+                    const double v = std::cos(0.3) * py - std::sin(0.3) * px;
+                    inside += std::fabs(u) < 0.5 && std::fabs(v) < 0.5;
+                }
+                roughness += std::pow(inside / 1024.0 - static_cast<double>(pixel(frame, x, y).a), 2);
+            }
+        roughness = std::sqrt(roughness / (101.0 * 101.0));
+        EXPECT_LT(roughness, samples == 1 ? 0.1 : before * 0.7) << samples;
+        before = roughness;
+    }
+}
+
+TEST(Visibility, FramedScenesFit)
+{
+    scene::Bounds bounds;
+    bounds.low = {-3.0f, 0.0f, -1.0f};
+    bounds.high = {1.0f, 2.0f, 5.0f};
+    for (float aspect : {0.4f, 1.0f, 2.5f})
+        for (float azimuth : {0.0f, 1.0f, 4.0f})
+            for (float elevation : {-1.5f, 0.0f, 0.7f}) {
+                const Camera camera = orbit_camera(bounds, {azimuth, elevation, 0.0f}, 0.8f, aspect);
+                float most = 0.0f;
+                for (int corner = 0; corner < 8; ++corner) {
+                    const glm::vec3 p(corner & 1 ? bounds.low.x : bounds.high.x,
+                                      corner & 2 ? bounds.low.y : bounds.high.y,
+                                      corner & 4 ? bounds.low.z : bounds.high.z);
+                    const glm::vec3 d = p - camera.position;
+                    const float depth = -glm::dot(d, camera.back);
+                    ASSERT_GT(depth, 0.0f);
+                    const float up = std::tan(0.4f);
+                    most = std::max({most, std::fabs(glm::dot(d, camera.up)) / depth / up,
+                                     std::fabs(glm::dot(d, camera.right)) / depth / (up * aspect)});
+                }
+                EXPECT_LT(most, 1.0f);
+                EXPECT_GT(most, 0.75f);
+            }
+}
+
+TEST(Visibility, OrbitFollowsItsConvention)
+{
+    scene::Bounds bounds;
+    bounds.low = glm::vec3(-1.0f);
+    bounds.high = glm::vec3(1.0f);
+    EXPECT_NEAR(orbit_camera(bounds, {0.0f, 0.0f, 5.0f}, 0.8f, 1.0f).position.z, 5.0f, 1e-5f);
+    EXPECT_NEAR(orbit_camera(bounds, {1.5707963f, 0.0f, 5.0f}, 0.8f, 1.0f).position.x, 5.0f, 1e-5f);
+    EXPECT_NEAR(orbit_camera(bounds, {0.3f, 1.5707963f, 5.0f}, 0.8f, 1.0f).position.y, 5.0f, 1e-5f);
+}
+
+} // namespace
+} // namespace lambent::draw
