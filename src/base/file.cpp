@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/text.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -50,6 +51,18 @@ std::uint64_t checked_size(int fd, const std::filesystem::path& path)
     return static_cast<std::uint64_t>(status.st_size);
 }
 
+void read_all(int fd, std::span<std::uint8_t> bytes, const std::filesystem::path& path)
+{
+    while (!bytes.empty()) {
+        const ssize_t count = ::read(fd, bytes.data(), bytes.size());
+        if (count < 0)
+            fail_to_read(path, std::strerror(errno));
+        if (count == 0)
+            fail_to_read(path, "became shorter while it was read");
+        bytes = bytes.subspan(static_cast<std::size_t>(count));
+    }
+}
+
 // A name in the same folder as the target, so that the rename cannot cross file systems; removed if still
 // there.
 struct TemporaryFile {
@@ -74,6 +87,14 @@ std::uint64_t file_size(const std::filesystem::path& path)
     return checked_size(file.fd, path);
 }
 
+std::vector<std::uint8_t> read_start(const std::filesystem::path& path, std::size_t count)
+{
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    std::vector<std::uint8_t> bytes(std::min<std::uint64_t>(checked_size(file.fd, path), count));
+    read_all(file.fd, bytes, path);
+    return bytes;
+}
+
 std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint64_t limit)
 {
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
@@ -81,15 +102,7 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& path, std::uint
     if (size > limit)
         fail_to_read(path, text(size, " bytes is more than the limit of ", limit));
     std::vector<std::uint8_t> bytes(size);
-    std::size_t done = 0;
-    while (done < bytes.size()) {
-        const ssize_t count = ::read(file.fd, bytes.data() + done, bytes.size() - done);
-        if (count < 0)
-            fail_to_read(path, std::strerror(errno));
-        if (count == 0)
-            fail_to_read(path, "became shorter while it was read");
-        done += static_cast<std::size_t>(count);
-    }
+    read_all(file.fd, bytes, path);
     return bytes;
 }
 

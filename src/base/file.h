@@ -2,6 +2,7 @@
 // behind.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -13,6 +14,9 @@ namespace lambent {
 /// Throws Error(bad_input) when it is missing, a folder, unreadable, or larger than `limit` bytes.
 std::vector<std::uint8_t> read_file(const std::filesystem::path& path,
                                     std::uint64_t limit = std::uint64_t{1} << 34);
+
+/// The first bytes of a regular file, at most `count`. Throws as read_file.
+std::vector<std::uint8_t> read_start(const std::filesystem::path& path, std::size_t count);
 
 /// Size in bytes of a regular file, or Error(bad_input) as read_file.
 std::uint64_t file_size(const std::filesystem::path& path);

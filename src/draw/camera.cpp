@@ -1,5 +1,6 @@
 #include "draw/camera.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <cmath>
@@ -7,14 +8,22 @@
 namespace lambent::draw {
 namespace {
 
-// A little air around the bounding sphere.
-constexpr float margin = 1.05f;
+// A little air around the scene.
+constexpr float margin = 1.1f;
 
-float fitting_distance(float radius, float vertical_fov, float aspect)
+// The nearest distance, along `camera.back` from the box's centre, at which all its corners are in the picture.
+float fitting_distance(const Camera& camera, const glm::vec3& half, float aspect)
 {
-    const float vertical = vertical_fov / 2.0f;
-    const float horizontal = std::atan(std::tan(vertical) * aspect);
-    return margin * radius / std::sin(std::min(vertical, horizontal));
+    const float up = std::tan(camera.vertical_fov / 2.0f), right = up * aspect;
+    float distance = 0.0f;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::vec3 p(corner & 1 ? half.x : -half.x, corner & 2 ? half.y : -half.y,
+                          corner & 4 ? half.z : -half.z);
+        const float across = std::fabs(glm::dot(p, camera.right)) / right;
+        const float along = std::fabs(glm::dot(p, camera.up)) / up;
+        distance = std::max(distance, margin * std::max(across, along) + glm::dot(p, camera.back));
+    }
+    return distance;
 }
 
 } // namespace
@@ -23,16 +32,16 @@ Camera orbit_camera(const scene::Bounds& bounds, const Orbit& orbit, float verti
 {
     const bool empty = !(bounds.low.x <= bounds.high.x);
     const glm::vec3 centre = empty ? glm::vec3(0.0f) : 0.5f * (bounds.low + bounds.high);
-    const float radius = empty ? 1.0f : std::max(0.5f * glm::length(bounds.high - bounds.low), 1e-6f);
-    const float distance =
-        orbit.distance > 0.0f ? orbit.distance : fitting_distance(radius, vertical_fov, aspect);
+    const glm::vec3 half =
+        empty ? glm::vec3(1.0f) : glm::max(0.5f * (bounds.high - bounds.low), glm::vec3(1e-6f));
     const float sine = std::sin(orbit.elevation), cosine = std::cos(orbit.elevation);
     Camera camera;
     camera.back = {cosine * std::sin(orbit.azimuth), sine, cosine * std::cos(orbit.azimuth)};
     camera.right = {std::cos(orbit.azimuth), 0.0f, -std::sin(orbit.azimuth)};
     camera.up = glm::cross(camera.back, camera.right);
-    camera.position = centre + distance * camera.back;
     camera.vertical_fov = vertical_fov;
+    const float distance = orbit.distance > 0.0f ? orbit.distance : fitting_distance(camera, half, aspect);
+    camera.position = centre + distance * camera.back;
     return camera;
 }
 

@@ -24,8 +24,8 @@ struct Orbit {
     float distance = 0.0f;  ///< metres from the point looked at; 0: far enough for the whole scene to be seen
 };
 
-/// A perspective camera on an orbit around the middle of `bounds`. The whole of the bounding sphere fits into a picture
-/// of the given aspect (width / height).
+/// A perspective camera on an orbit around the middle of `bounds`; at distance 0 as near as the corners of `bounds`
+/// allow, with a little air, in a picture of the given aspect (width / height).
 Camera orbit_camera(const scene::Bounds& bounds, const Orbit& orbit, float vertical_fov, float aspect);
 
 /// A camera of a glTF file.

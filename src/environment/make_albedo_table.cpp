@@ -15,8 +15,8 @@ constexpr double least_cosine = 1.0e-4, least_alpha = 1.0e-4;
 // The mean over visible normals of what is neither shadowed nor (for x) reflected by Schlick's weight.
 vec2 albedo(double NV, double alpha)
 {
-    const vec3 stretched = stretched_view(NV, alpha);
     const double sine = std::sqrt(1.0 - NV * NV);
+    const vec3 stretched = stretched_view({sine, 0.0, NV}, alpha);
     double all = 0.0, grazing = 0.0;
     for (int j = 0; j < heights; ++j)
         for (int i = 0; i < azimuths; ++i) {

@@ -14,7 +14,7 @@ namespace lambent::environment {
 namespace {
 
 constexpr float largest_packed = 65408.0f;
-constexpr int rows_at_once = 64;
+constexpr int rows_at_once = 256; // the readers convert in parallel from about this many
 
 // Packs rows as they come. The scale is doubled when a row needs it, and what is packed already is packed again.
 class Packer {

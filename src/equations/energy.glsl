@@ -2,20 +2,22 @@
 // `albedo` holds the two parts of the directional albedo of GGX at one NV and alpha: for reflectance F0 it is
 // F0 * albedo.x + albedo.y (the split-sum table). [Karis 2013, "Real shading in Unreal Engine 4"]
 
-// Factor that restores the light scattered more than once: 1 + F0 (1 - E) / E, with E the albedo of a white metal.
-// [Turquin 2019, "Practical multiple scattering compensation for microfacet models", eq. 16]
+// Factor that restores the light scattered more than once: 1 + F0 (1 - E) / E, with E the albedo of a white metal;
+// `compensation` of 0 to 1 of it. [Turquin 2019, "Practical multiple scattering compensation for microfacet models"]
 // Witness: the white furnace is 1 at every roughness.
-vec3 energy_compensation(vec3 F0, vec2 albedo)
+vec3 energy_compensation(vec3 F0, vec2 albedo, Real compensation)
 {
     Real E = albedo.x + albedo.y;
-    return 1.0 + ((1.0 - E) / max(E, 1.0e-4)) * F0;
+    return 1.0 + (compensation * (1.0 - E) / max(E, 1.0e-4)) * F0;
 }
 
-// A metallic-roughness material at one point. base is linear RGB; metalness and alpha in [0, 1].
+// A metallic-roughness material at one point. base is linear RGB; metalness and alpha in [0, 1]. compensation is 1, or
+// 0 to leave out what is scattered more than once.
 struct Metallic {
     vec3 base;
     Real metalness;
     Real alpha;
+    Real compensation;
 };
 
 // How light adds up: plain * (radiance averaged over the lobe with weight 1 - (1 - VH)^5) + grazing * (the same with
@@ -31,21 +33,12 @@ struct Reflectance {
 // diffuse under the dielectric by albedo scaling: OpenPBR 1.0, "Albedo-scaling"] Witness: the white furnace.
 Reflectance reflectance_metallic(Metallic m, vec2 albedo)
 {
-    vec3 dielectric_gain = (1.0 - m.metalness) * energy_compensation(vec3(0.04), albedo);
-    vec3 metal_gain = m.metalness * energy_compensation(m.base, albedo);
+    vec3 dielectric_gain = (1.0 - m.metalness) * energy_compensation(vec3(0.04), albedo, m.compensation);
+    vec3 metal_gain = m.metalness * energy_compensation(m.base, albedo, m.compensation);
     vec3 plain = albedo.x * (0.04 * dielectric_gain + m.base * metal_gain);
     vec3 grazing = albedo.y * (dielectric_gain + metal_gain);
     vec3 under = (1.0 - m.metalness) - (0.04 * albedo.x + albedo.y) * dielectric_gain;
     Reflectance r = {plain, grazing, m.base * under};
-    return r;
-}
-
-// The same without compensation: what single scattering alone reflects, to show what compensation is worth.
-Reflectance reflectance_single_scattering(Metallic m, vec2 albedo)
-{
-    vec3 F0 = mix(vec3(0.04), m.base, m.metalness);
-    Real under = (1.0 - m.metalness) * (1.0 - (0.04 * albedo.x + albedo.y));
-    Reflectance r = {albedo.x * F0, vec3(albedo.y), under * m.base};
     return r;
 }
 
@@ -61,7 +54,7 @@ vec3 brdf_metallic(Metallic m, vec2 albedo, vec3 N, vec3 V, vec3 L)
     Real VH = clamp(dot(V, sum) * inverse, 0.0, 1.0);
     Real lobe = density_ggx(NH, m.alpha) * visibility_ggx(NL, NV, m.alpha);
     Reflectance r = reflectance_metallic(m, albedo);
-    vec3 metal = m.metalness * (energy_compensation(m.base, albedo) * fresnel_schlick(m.base, VH));
-    vec3 dielectric = (1.0 - m.metalness) * (energy_compensation(vec3(0.04), albedo) * fresnel_schlick(vec3(0.04), VH));
+    vec3 metal = m.metalness * (energy_compensation(m.base, albedo, m.compensation) * fresnel_schlick(m.base, VH));
+    vec3 dielectric = (1.0 - m.metalness) * (energy_compensation(vec3(0.04), albedo, m.compensation) * fresnel_schlick(vec3(0.04), VH));
     return lobe * (metal + dielectric) + 0.3183098861837907 * r.diffuse;
 }

@@ -10,21 +10,34 @@ mat3 orthonormal_frame(vec3 N)
 }
 
 // Mirror image of V in the plane of normal N: the direction from which a mirror sends light along V.
+// Witness: coplanar, at the same angle.
 vec3 mirrored(vec3 N, vec3 V) { return 2.0 * dot(N, V) * N - V; }
 
-// Rotation that takes +z to N and the half plane x > 0 to the side of V, so that V = (sin, 0, cos) in it.
-// Any frame about N when V is along N. Witness: as orthonormal_frame, and the y component of V is 0.
-mat3 view_frame(vec3 N, vec3 V)
+// A frame about N for everything that is sampled as seen along V: `across` made perpendicular to V, and carried from
+// V to N the shortest way. Turning with V rather than with N alone, it has no seam in a picture, and no swirl where N
+// and V meet; only at N = -V it is not defined. `across` is any direction but V, such as the camera's right.
+// Columns: two tangents and N. Witness: orthonormality; V along N gives `across` back; the limit towards V.
+mat3 carried_frame(vec3 N, vec3 V, vec3 across)
 {
-    vec3 sideways = V - dot(N, V) * N;
-    Real length2 = dot(sideways, sideways);
-    mat3 any = orthonormal_frame(N);
-    vec3 tangent = select(length2 > 1.0e-12, inversesqrt(max(length2, 1.0e-12)) * sideways, any * vec3(1.0, 0.0, 0.0));
+    vec3 aside = across - dot(across, V) * V;
+    vec3 start = inversesqrt(max(dot(aside, aside), 1.0e-12)) * aside;
+    vec3 sum = N + V;
+    vec3 tangent = start - (dot(N, start) / max(1.0 + dot(N, V), 1.0e-6)) * sum;
     return mat3(tangent, cross(N, tangent), N);
 }
 
+// The components of v along the three columns of a rotation.
+vec3 in_frame(mat3 frame, vec3 v)
+{
+    vec3 x = frame * vec3(1.0, 0.0, 0.0);
+    vec3 y = frame * vec3(0.0, 1.0, 0.0);
+    vec3 z = frame * vec3(0.0, 0.0, 1.0);
+    return vec3(dot(v, x), dot(v, y), dot(v, z));
+}
+
 // N, or where it faces away from V (an interpolated or mapped normal near the silhouette), N bent towards V until its
-// cosine is at least `least`. Unit length. Witness: the cosine, and that N in front is returned unchanged.
+// cosine is at least `least`, which may be up to 0.09. Unit length. Witness: the cosine, and that N in front is
+// returned unchanged.
 vec3 facing_normal(vec3 N, vec3 V, Real least)
 {
     Real NV = dot(N, V);

@@ -5,12 +5,13 @@
 Real density_ggx(Real NH, Real alpha)
 {
     Real a2 = alpha * alpha;
-    Real q = NH * NH * (a2 - 1.0) + 1.0;
+    Real q = NH * NH * a2 + (1.0 - NH) * (1.0 + NH);
     return a2 / (3.141592653589793 * q * q);
 }
 
 // sqrt(1 + alpha^2 tan^2) times the cosine: Smith's masking written without a division. c in [0, 1].
 // G1 = 2 c / (c + smith_ggx(c)). [Heitz 2014, "Understanding the masking-shadowing function", eq. 72]
+// Witness: masking_ggx's.
 Real smith_ggx(Real c, Real alpha)
 {
     Real a2 = alpha * alpha;
@@ -21,33 +22,32 @@ Real smith_ggx(Real c, Real alpha)
 Real masking_ggx(Real NV, Real alpha) { return 2.0 * NV / (NV + smith_ggx(NV, alpha)); }
 
 // Height-correlated masking and shadowing with the denominator taken in: G2 / (4 NL NV). NL, NV in (0, 1].
-// [Heitz 2014, eq. 99] Witness: G2 / G1 = masking of L given V, by quadrature of the weak furnace.
+// [Heitz 2014, eq. 99] Witness: G2 = 1 / (1 + lambda(V) + lambda(L)), each lambda by quadrature of D.
 Real visibility_ggx(Real NL, Real NV, Real alpha)
 {
     return 0.5 / max(NL * smith_ggx(NV, alpha) + NV * smith_ggx(NL, alpha), 1.0e-7);
 }
 
-// G2 / G1(V): what remains of a visible facet's reflection, in [0, 1]. Witness: visibility_ggx over masking_ggx.
+// G2 / G1(V): what remains of a visible facet's reflection, in [0, 1]. NL and NV not both 0.
+// Witness: visibility_ggx over masking_ggx.
 Real shadowing_ggx(Real NL, Real NV, Real alpha)
 {
     Real SV = smith_ggx(NV, alpha);
     return NL * (NV + SV) / (NL * SV + NV * smith_ggx(NL, alpha));
 }
 
-// A facet seen from V, drawn in proportion to its visible area. In the frame of view_frame, V = (sin, 0, cos).
+// A facet seen from V, drawn in proportion to its visible area.
 struct VisibleFacet {
-    vec3 normal;
+    vec3 normal; // in a frame whose z is the surface's normal
     Real spread; // 1 / (density per solid angle of the mirrored direction), divided by spread_ggx(NV, alpha)
 };
 
-// The view vector in the stretched space in which GGX is a hemisphere. [Heitz 2018, JCGT 7(4), sec. 3.2]
-vec3 stretched_view(Real NV, Real alpha)
-{
-    Real sine = sqrt(max(1.0 - NV * NV, 0.0));
-    return normalize(vec3(alpha * sine, 0.0, NV));
-}
+// The view, given in such a frame, in the stretched space in which GGX is a hemisphere. [Heitz 2018, JCGT 7(4), 3.2]
+// Witness: the sampler's.
+vec3 stretched_view(vec3 view, Real alpha) { return normalize(vec3(alpha * view.x, alpha * view.y, view.z)); }
 
 // The factor of VisibleFacet::spread that all facets of one view share: pi alpha^2 4 NV / G1.
+// Witness: the product is one over the density.
 Real spread_ggx(Real NV, Real alpha)
 {
     return 6.283185307179586 * alpha * alpha * (NV + smith_ggx(NV, alpha));
@@ -61,9 +61,10 @@ Real spread_ggx(Real NV, Real alpha)
 // Witness: chi-square against that density.
 VisibleFacet sample_visible_ggx(vec3 stretched, Real alpha, vec3 point)
 {
-    Real z = 1.0 - point.x * (1.0 + stretched.z);
-    Real sine = sqrt(max(1.0 - z * z, 0.0));
-    vec3 c = vec3(sine * point.y + stretched.x, sine * point.z, z + stretched.z);
+    Real height = 1.0 + stretched.z;
+    Real below = point.x * height;
+    Real sine = sqrt(max(below * (2.0 - below), 0.0));
+    vec3 c = vec3(sine * point.y + stretched.x, sine * point.z + stretched.y, (1.0 - point.x) * height);
     vec3 h = vec3(alpha * c.x, alpha * c.y, c.z);
     Real inverse = inversesqrt(max(dot(h, h), 1.0e-20));
     Real ratio = dot(c, c) * inverse * inverse;

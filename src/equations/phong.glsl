@@ -6,6 +6,7 @@
 Real log2_density_phong(Real NH, Real alpha) { return log2((alpha + 2.0) * 0.15915494309189535) + alpha * log2(NH); }
 
 // The report's masking over 4: 1 / (4 (L.H)^2), given VH = LH. [Kelemen and Szirmay-Kalos 2001, eq. 7]
+// Witness: brdf_phong's closed form.
 Real masking_phong(Real VH) { return 0.25 / max(VH * VH, 1.0e-6); }
 
 // The report's material at one point. diffuse is Kd, specular Ks, both linear RGB in [0, 1].
@@ -32,7 +33,11 @@ vec3 brdf_phong(Phong p, vec3 N, vec3 V, vec3 L)
 vec3 sample_phong(vec3 point, Real alpha)
 {
     Real cosine = exp2(point.x / (alpha + 1.0));
-    Real sine = sqrt(max(1.0 - cosine * cosine, 0.0));
+    // 1 - cos^2 loses its digits where the lobe is narrow: there a series in -ln cos^2.
+    Real e = point.x * (-1.3862943611198906 / (alpha + 1.0));
+    Real series = e * (1.0 - e * (0.5 - e * (0.16666666666666666 - e * 0.041666666666666664)));
+    Real sine2 = select(e < 0.01, series, 1.0 - cosine * cosine);
+    Real sine = sqrt(max(sine2, 0.0));
     return vec3(sine * point.y, sine * point.z, cosine);
 }
 
@@ -43,7 +48,7 @@ Real log2_lobe_density_phong(Real log2_xi2, Real alpha)
     return log2((alpha + 1.0) * 0.15915494309189535) + alpha / (alpha + 1.0) * log2_xi2;
 }
 
-// The exponent whose lobe is as wide as a GGX lobe of roughness alpha: equal second derivative of log D at the peak,
-// 2 / alpha^2 - 2, kept in the model's range. alpha = perceptual_roughness^2. [Walter et al. 2007, 5.2; Karis 2013]
-// Witness: numerical second derivatives of both densities.
+// The exponent whose density of normals has the same peak as GGX of roughness alpha, 1 / (pi alpha^2): 2 / alpha^2 - 2,
+// kept in the model's range. alpha = perceptual_roughness^2. [Walter et al. 2007, 5.2; Karis 2013]
+// Witness: both densities at NH = 1.
 Real phong_exponent(Real alpha) { return clamp(2.0 / max(alpha * alpha, 1.0e-7) - 2.0, 0.01, 1.0e6); }

@@ -9,6 +9,7 @@ vec2 equirectangular_from_direction(vec3 d)
     return vec2(atan(d.z, x) * 0.15915494309189535 + 0.5, acos(clamp(d.y, -1.0, 1.0)) * 0.3183098861837907);
 }
 
+// Its inverse. Witness: round trip.
 vec3 direction_from_equirectangular(vec2 uv)
 {
     Real phi = (uv.x - 0.5) * 6.283185307179586;

@@ -69,7 +69,7 @@ void ByteSource::read(std::uint64_t offset, void* out, std::size_t count)
 
 std::unique_ptr<ByteSource> open_bytes(const std::filesystem::path& path)
 {
-    const std::uint64_t size = file_size(path);
+    const std::uint64_t size = lambent::file_size(path);
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor < 0)
         refuse(path.string(), std::strerror(errno));

@@ -12,7 +12,7 @@ namespace lambent::image {
 struct RadianceImage {
     int width = 0;
     int height = 0;
-    int channels = 3;          ///< 3 (RGB) or 4 (RGB and coverage; RGB is not multiplied by it)
+    int channels = 3;          ///< 3 (RGB) or 4 (RGB and coverage; RGB is what arrives, multiplied by it)
     std::vector<float> values; ///< width * height * channels
 
     float* pixel(int x, int y) { return values.data() + offset(x, y); }

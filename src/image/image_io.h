@@ -23,6 +23,7 @@ public:
     int height() const { return height_; }
 
     /// The next `count` rows as interleaved RGB, width() * count * 3 floats. `count` at most the rows left.
+    /// Calls for many rows are spread over threads: ask for 256 at a time where speed matters.
     /// Throws Error(bad_input) where the file ends early or contradicts itself.
     virtual void read_rows(int count, float* rgb) = 0;
 

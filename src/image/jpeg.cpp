@@ -22,7 +22,7 @@ Handle owned(tjhandle handle)
 
 [[noreturn]] void refuse_with_reason(tjhandle handle, const std::string& name)
 {
-    refuse(name, "not a valid JPEG: ", printable(tjGetErrorStr2(handle)));
+    refuse(name, "not a valid JPEG: ", printable(tjGetErrorStr2(handle), 200));
 }
 
 // A progressive file may revisit the whole picture in each of many tiny scans. Ten are usual; an
@@ -62,6 +62,23 @@ JpegFrame checked_frame(std::span<const std::uint8_t> bytes, const std::string& 
     return frame;
 }
 
+struct Size {
+    int width;
+    int height;
+};
+
+CodeImage decode_scaled(tjhandle handle, std::span<const std::uint8_t> bytes, Size size,
+                        const std::string& name)
+{
+    constexpr int flags = TJFLAG_ACCURATEDCT | TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS;
+    CodeImage image{size.width, size.height, 4, 8, {}};
+    image.bytes.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) * 4);
+    if (tjDecompress2(handle, bytes.data(), static_cast<unsigned long>(bytes.size()), image.bytes.data(),
+                      size.width, size.width * 4, size.height, TJPF_RGBA, flags) != 0)
+        refuse_with_reason(handle, name);
+    return image;
+}
+
 const char* process_name(int process)
 {
     switch (process) {
@@ -87,19 +104,19 @@ CodeImage decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& na
 {
     const JpegFrame frame = checked_frame(bytes, name);
     const Handle handle = owned(tjInitDecompress());
-    const auto length = static_cast<unsigned long>(bytes.size());
     int width = 0, height = 0, subsampling = 0, colours = 0;
-    if (tjDecompressHeader3(handle.get(), bytes.data(), length, &width, &height, &subsampling, &colours) != 0)
+    if (tjDecompressHeader3(handle.get(), bytes.data(), static_cast<unsigned long>(bytes.size()), &width,
+                            &height, &subsampling, &colours) != 0)
         refuse_with_reason(handle.get(), name);
     if (width != frame.width || height != frame.height || colours == TJCS_CMYK || colours == TJCS_YCCK)
         refuse(name, "not a valid JPEG: it contradicts itself");
 
-    CodeImage image{width, height, 4, 8, {}};
-    image.bytes.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4);
-    if (tjDecompress2(handle.get(), bytes.data(), length, image.bytes.data(), width, width * 4, height,
-                      TJPF_RGBA, TJFLAG_ACCURATEDCT | TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS) != 0)
-        refuse_with_reason(handle.get(), name);
-    return image;
+    // A large picture is first decoded at an eighth of its size, so that memory is only taken for whole
+    // files.
+    constexpr std::int64_t large = std::int64_t{1} << 24;
+    if (std::int64_t{width} * height > large)
+        decode_scaled(handle.get(), bytes, {(width + 7) / 8, (height + 7) / 8}, name);
+    return decode_scaled(handle.get(), bytes, {width, height}, name);
 }
 
 ImageInfo inspect_jpeg(std::span<const std::uint8_t> bytes, const std::string& name)

@@ -10,6 +10,9 @@
 
 namespace lambent::image {
 
+/// The largest side that libjpeg writes.
+inline constexpr int max_jpeg_side = 65500;
+
 /// Whether the bytes begin as a JPEG does.
 bool is_jpeg(std::span<const std::uint8_t> bytes);
 

@@ -11,9 +11,8 @@ void check_size(const std::string& name, std::int64_t width, std::int64_t height
                max_pixels, " pixels");
 }
 
-std::string printable(std::string_view bytes)
+std::string printable(std::string_view bytes, std::size_t longest)
 {
-    constexpr std::size_t longest = 60;
     std::string line(bytes.substr(0, longest));
     for (char& c : line)
         if (c < ' ' || c > '~')

@@ -25,7 +25,7 @@ inline constexpr std::int64_t max_pixels = std::int64_t{1} << 28;
 void check_size(const std::string& name, std::int64_t width, std::int64_t height);
 
 /// Bytes of a file made fit for one line of a message: anything but printable ASCII becomes '?', and what
-/// goes beyond 60 characters is cut.
-std::string printable(std::string_view bytes);
+/// goes beyond `longest` characters is cut.
+std::string printable(std::string_view bytes, std::size_t longest = 60);
 
 } // namespace lambent::image

@@ -19,24 +19,23 @@ const std::array<float, 256>& mantissa_steps()
     return steps;
 }
 
-// 2^exponent for -149 <= exponent <= 127.
-float power_of_two(int exponent)
+// In double every product below is exact, and no float is subnormal.
+double power_of_two(int exponent)
 {
-    return exponent >= -126 ? std::bit_cast<float>((exponent + 127) << 23) : std::ldexp(1.0f, exponent);
+    return std::bit_cast<double>(static_cast<std::int64_t>(exponent + 1023) << 52);
 }
 
-// The e for which value / 2^(e-136) lies in [128, 256).
-int exponent_byte(float value)
+// The largest k with 2^k <= value, for a positive value.
+int floor_log2(double value)
 {
-    const int biased = std::bit_cast<std::int32_t>(value) >> 23;
-    return biased > 0 ? biased + 2 : std::ilogb(value) + 129;
+    return static_cast<int>(std::bit_cast<std::int64_t>(value) >> 52) - 1023;
 }
 
-// Mantissas above 255 can only come from the largest exponent.
-std::uint8_t mantissa(float value, float steps_per_unit)
+// Above 255 only when the exponent has reached its largest value.
+std::uint8_t mantissa(float value, double steps_per_unit)
 {
-    const float steps = value > 0.0f ? value * steps_per_unit : 0.0f;
-    return static_cast<std::uint8_t>(std::min(steps + 0.5f, 255.0f));
+    const double steps = value > 0.0f ? value * steps_per_unit : 0.0;
+    return static_cast<std::uint8_t>(std::min(steps + 0.5, 255.0));
 }
 
 } // namespace
@@ -79,12 +78,12 @@ Rgbe to_rgbe(float red, float green, float blue)
     if (largest < smallest)
         return {0, 0, 0, 0};
 
-    int exponent = exponent_byte(largest);
+    // For this e, largest / 2^(e-136) lies in [128, 256).
+    int exponent = std::min(floor_log2(largest) + 129, 255);
     // 255.5 and more would round to a mantissa of 256: the next exponent's 128.
-    if (exponent < 255 && largest * power_of_two(std::min(136 - exponent, 127)) >= 255.5f)
+    if (exponent < 255 && largest * power_of_two(136 - exponent) >= 255.5)
         ++exponent;
-    exponent = std::min(exponent, 255);
-    const float steps_per_unit = power_of_two(136 - exponent);
+    const double steps_per_unit = power_of_two(136 - exponent);
     return {mantissa(red, steps_per_unit), mantissa(green, steps_per_unit), mantissa(blue, steps_per_unit),
             static_cast<std::uint8_t>(exponent)};
 }

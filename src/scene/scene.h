@@ -81,12 +81,13 @@ struct Mesh {
 /// A mesh placed in the world.
 struct Instance {
     int mesh = 0;              ///< index into Scene::meshes
-    glm::mat4 transform{1.0f}; ///< world from mesh; affine, finite, not singular
+    int material = -1;         ///< index into Scene::materials; -1: the mesh's own
+    glm::mat4 transform{1.0f}; ///< world from mesh; affine, finite, not singular; det < 0: mirrored
 };
 
 /// A camera of the file. Looks along its -Z, +Y up.
 struct Camera {
-    std::string name;
+    std::string name;           ///< the node's, or the camera's own where the node has none
     glm::mat4 transform{1.0f};  ///< world from camera; rotation and translation only
     float vertical_fov = 0.0f;  ///< radians; 0 for an orthographic camera
     float vertical_size = 0.0f; ///< metres seen from bottom to top, orthographic only

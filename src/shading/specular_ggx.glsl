@@ -1,10 +1,12 @@
 // Light from the environment reflected by GGX facets, N samples. Hooks: see README.md.
 
-// A point that mirrors: shading normal, direction to the viewer, dot(normal, view) > 0, alpha, and how the mirrored
-// direction changes from one pixel to the next, to the right and downwards.
+// A point that mirrors: shading normal, direction to the viewer, dot(normal, view) > 0, what is across for the viewer
+// (any direction but the view, the same for a whole picture), alpha, and how the mirrored direction changes from one
+// pixel to the next, to the right and downwards.
 struct Mirror {
     vec3 normal;
     vec3 view;
+    vec3 across;
     Real alpha;
     vec3 mirrored_dx;
     vec3 mirrored_dy;
@@ -24,14 +26,14 @@ struct LobeLight {
 // filtered importance sampling"] Witness: tests/draw, against brute force over every texel in double.
 LobeLight specular_ggx(Environment environment, Mirror m)
 {
-    Real NV = dot(m.normal, m.view);
-    Real sine = sqrt(max(1.0 - NV * NV, 0.0));
-    mat3 frame = view_frame(m.normal, m.view);
-    vec3 stretched = stretched_view(NV, m.alpha);
-    vec3 across = cross(m.mirrored_dx, m.mirrored_dy);
+    mat3 frame = carried_frame(m.normal, m.view, m.across);
+    vec3 view = in_frame(frame, m.view);
+    Real NV = view.z;
+    vec3 stretched = stretched_view(view, m.alpha);
+    vec3 area = cross(m.mirrored_dx, m.mirrored_dy);
     Real per_sample = 1.0 / (Real(sample_count(environment)) * level_one_variance(environment));
     Real lobe_variance = variance_of_spread(spread_ggx(NV, m.alpha)) * per_sample;
-    Real pixel_variance = variance_of_spread(sqrt(dot(across, across))) * per_sample;
+    Real pixel_variance = variance_of_spread(sqrt(dot(area, area))) * per_sample;
     Real SV = smith_ggx(NV, m.alpha);
     vec3 plain = vec3(0.0);
     vec3 grazing = vec3(0.0);
@@ -39,13 +41,14 @@ LobeLight specular_ggx(Environment environment, Mirror m)
     Real grazing_weight = 0.0;
     for (int i = 0; i < sample_count(environment); ++i) {
         VisibleFacet facet = sample_visible_ggx(stretched, m.alpha, cap_point(environment, i));
-        Real VH = sine * facet.normal.x + NV * facet.normal.z;
-        vec3 L = vec3(2.0 * VH * facet.normal.x - sine, 2.0 * VH * facet.normal.y, 2.0 * VH * facet.normal.z - NV);
-        // Below the horizon nothing is reflected; that little keeps the means defined when all samples are there.
+        Real VH = dot(view, facet.normal);
+        vec3 L = 2.0 * VH * facet.normal - view;
+        // Nothing is reflected from below the horizon, nor by Schlick's weight head on: these little amounts keep the
+        // means defined where all samples are such.
         Real NL = max(L.z, 1.0e-4);
         // shadowing_ggx without the factor that all samples share
         Real weight = NL / max(NL * SV + NV * smith_ggx(NL, m.alpha), 1.0e-20);
-        Real weight_grazing = weight * schlick_weight(VH);
+        Real weight_grazing = weight * max(schlick_weight(VH), 1.0e-6);
         Real weight_plain = weight - weight_grazing;
         vec2 place = pixel_point(environment, i);
         vec3 d = frame * L + place.x * m.mirrored_dx + place.y * m.mirrored_dy;

@@ -21,10 +21,11 @@ PhongSample phong_sample(Phong p, mat3 lobe, vec3 N, vec3 V, vec3 point)
 }
 
 // The average of F / (4 (w.H)^2) environment(w) max(N.w, 0) over N samples of the lobe about the mirrored view
-// (DESIGN, "Specular pass"), each read through a blur as wide as the share of the lobe that it stands for.
-vec3 specular_phong(Environment environment, Phong p, vec3 N, vec3 V)
+// (DESIGN, "Specular pass"), each read through a blur as wide as the share of the lobe that it stands for. `across` as
+// in Mirror.
+vec3 specular_phong(Environment environment, Phong p, vec3 N, vec3 V, vec3 across)
 {
-    mat3 lobe = orthonormal_frame(mirrored(N, V));
+    mat3 lobe = carried_frame(mirrored(N, V), V, across);
     Real per_sample = 1.0 / (Real(sample_count(environment)) * level_one_variance(environment));
     vec3 total = vec3(0.0);
     for (int i = 0; i < sample_count(environment); ++i) {
@@ -40,9 +41,9 @@ vec3 specular_phong(Environment environment, Phong p, vec3 N, vec3 V)
 // The same with the report's own choice of mip level, 1/2 log2(W H / N) - 1/2 log2(D(H) / 4), clamped, in the
 // panorama's own mip chain. The solid angle of the sphere, 4 pi, is missing from its first term: the level is
 // 1.83 too coarse, and narrow lobes show the texels of that level as blocks.
-vec3 specular_phong_report(Environment environment, Phong p, vec3 N, vec3 V)
+vec3 specular_phong_report(Environment environment, Phong p, vec3 N, vec3 V, vec3 across)
 {
-    mat3 lobe = orthonormal_frame(mirrored(N, V));
+    mat3 lobe = carried_frame(mirrored(N, V), V, across);
     Real base = report_base_level(environment) - 0.5 * log2(Real(sample_count(environment)));
     vec3 total = vec3(0.0);
     for (int i = 0; i < sample_count(environment); ++i) {

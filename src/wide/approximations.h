@@ -13,9 +13,13 @@ HWY_INLINE Real operator/(Real a, Real b) { return a * reciprocal(b); }
 // 1 / sqrt(a) for a > 0: the hardware's estimate and one Newton-Raphson step; relative error 3e-7.
 HWY_INLINE Real inversesqrt(Real a)
 {
+#if HWY_TARGET == HWY_SCALAR || HWY_TARGET == HWY_EMU128
+    return hn::Div(Real(1.0).v, hn::Sqrt(a.v));
+#else
     const Real r = hn::ApproximateReciprocalSqrt(a.v);
     const Real half_a_r = 0.5 * a * r;
     return hn::Mul(r.v, hn::NegMulAdd(half_a_r.v, r.v, Real(1.5).v));
+#endif
 }
 
 // Horner's rule, leading coefficient first.

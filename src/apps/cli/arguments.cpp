@@ -67,7 +67,11 @@ int whole_in(const std::string& word, const std::string& option, int least, int 
 void option(CLI::App& app, const std::string& name, std::string& word, const std::string& kind,
             const std::string& help)
 {
-    app.add_option(name, word, help)->type_name(kind)->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    const auto not_empty = [](const std::string& given) { return given.empty() ? "nothing given" : ""; };
+    app.add_option(name, word, help)
+        ->type_name(kind)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+        ->check(not_empty);
 }
 
 void add_common(CLI::App& app, Words& words)

@@ -104,6 +104,7 @@ public:
         picture.light.ambient_brightness = settings.ambient_brightness;
         picture.light.environment = environment;
         picture.light.mip_chain = &mips;
+        picture.light.across = settings.camera.right;
         picture.light.rotation_cosine = std::cos(settings.environment_rotation);
         picture.light.rotation_sine = std::sin(settings.environment_rotation);
         picture.light.tables = &tables;

@@ -128,9 +128,10 @@ vec2 albedo_of(Real NV, Real alpha)
                 mix(mix(at(1), at(3), fx), mix(at(2 * n + 1), at(2 * n + 3), fx), fy));
 }
 
-Metallic metallic_at(const Fragments& f, size_t at)
+Metallic metallic_at(const LightContext& c, const Fragments& f, size_t at)
 {
-    Metallic m = {load3(f, base_r, at), load(f[metalness] + at), load(f[gloss] + at)};
+    Metallic m = {load3(f, base_r, at), load(f[metalness] + at), load(f[gloss] + at),
+                  c.energy_compensation ? 1.0 : 0.0};
     return m;
 }
 
@@ -138,14 +139,6 @@ Phong phong_at(const Fragments& f, size_t at)
 {
     Phong p = {load3(f, base_r, at), load3(f, specular_r, at), load(f[gloss] + at)};
     return p;
-}
-
-// What the material makes of the light, by the table; without compensation where the user asked to see that.
-Reflectance reflectance_at(const LightContext& c, const Metallic& m, vec2 albedo)
-{
-    if (c.energy_compensation)
-        return reflectance_metallic(m, albedo);
-    return reflectance_single_scattering(m, albedo);
 }
 
 Arrival arrival_at(const LightSource& light, vec3 point)
@@ -166,7 +159,7 @@ void add_direct(const LightContext& c, std::span<const LightSource> lights, size
         for (const LightSource& light : lights)
             sum += direct_phong(p, N, V, arrival_at(light, point));
     } else {
-        Metallic m = metallic_at(f, at);
+        Metallic m = metallic_at(c, f, at);
         const vec2 albedo = albedo_of(dot(N, V), m.alpha);
         m.alpha = alpha_in_pixel(m.alpha, load3(f, mirrored_dx_x, at), load3(f, mirrored_dy_x, at));
         for (const LightSource& light : lights)
@@ -183,8 +176,8 @@ void add_ambient(const LightContext& c, size_t at, Fragments& f)
     const vec3 irradiance = Real(map.scale) * cube_bilinear(cube, turned(c, N), hn::Zero(IntTag()));
     vec3 diffuse = load3(f, base_r, at);
     if (c.model == Model::ggx) {
-        const Metallic m = metallic_at(f, at);
-        diffuse = reflectance_at(c, m, albedo_of(dot(N, load3(f, view_x, at)), m.alpha)).diffuse;
+        const Metallic m = metallic_at(c, f, at);
+        diffuse = reflectance_metallic(m, albedo_of(dot(N, load3(f, view_x, at)), m.alpha)).diffuse;
     }
     const Real factor = Real(0.3183098861837907f * c.ambient_brightness) * load(f[occlusion] + at);
     store3(irradiance, f, irradiance_r, at);
@@ -194,18 +187,23 @@ void add_ambient(const LightContext& c, size_t at, Fragments& f)
 void add_specular(const LightContext& c, const Environment& e, size_t at, Fragments& f)
 {
     const vec3 N = turned(c, load3(f, shading_x, at)), V = turned(c, load3(f, view_x, at));
+    const vec3 across = turned(c, uniform(c.across));
     if (c.model == Model::phong) {
         const Phong p = phong_at(f, at);
-        store3(c.mip_level == MipLevel::report ? specular_phong_report(e, p, N, V)
-                                               : specular_phong(e, p, N, V),
+        store3(c.mip_level == MipLevel::report ? specular_phong_report(e, p, N, V, across)
+                                               : specular_phong(e, p, N, V, across),
                f, reflected_r, at);
         return;
     }
-    const Metallic m = metallic_at(f, at);
-    const Mirror mirror = {N, V, m.alpha, turned(c, load3(f, mirrored_dx_x, at)),
+    const Metallic m = metallic_at(c, f, at);
+    const Mirror mirror = {N,
+                           V,
+                           across,
+                           m.alpha,
+                           turned(c, load3(f, mirrored_dx_x, at)),
                            turned(c, load3(f, mirrored_dy_x, at))};
     const LobeLight light = specular_ggx(e, mirror);
-    const Reflectance r = reflectance_at(c, m, albedo_of(dot(N, V), m.alpha));
+    const Reflectance r = reflectance_metallic(m, albedo_of(dot(N, V), m.alpha));
     store3(r.plain * light.plain + r.grazing * light.grazing, f, reflected_r, at);
 }
 

@@ -32,6 +32,7 @@ struct LightContext {
     float ambient_brightness = 1.0f;
     const environment::Environment* environment = nullptr;         ///< null: none
     const std::vector<environment::Panorama>* mip_chain = nullptr; ///< the report's, for MipLevel::report
+    glm::vec3 across{1.0f, 0.0f, 0.0f}; ///< to the right of the camera, unit length
     float rotation_cosine = 1.0f, rotation_sine = 0.0f;
     const SampleTables* tables = nullptr;
 };

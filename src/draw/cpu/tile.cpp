@@ -11,7 +11,7 @@ namespace lambent::draw {
 namespace {
 
 // Two points of one surface belong together while the surface bends less than this between them (30 degrees) and the
-// second lies off the first's plane by less than their distance on the screen.
+// second lies off the first's plane by less than a pixel's width.
 constexpr float least_bend_cosine = 0.866f;
 
 // Samples of one pixel share one shading point while the surface bends less than this between them (15 degrees).
@@ -21,29 +21,14 @@ constexpr float least_shared_cosine = 0.966f;
 constexpr float least_weight = 1.0f / 1024.0f;
 constexpr int most_waves = 64;
 
-glm::vec3 point(const RayMap& rays, const Look& look)
+bool same_surface(const Seen& a, const Seen& b)
 {
-    const glm::vec3 origin = rays.origin + look.x * rays.origin_dx + look.y * rays.origin_dy;
-    const glm::vec3 direction = rays.direction + look.x * rays.direction_dx + look.y * rays.direction_dy;
-    return origin + look.hit.distance * direction;
-}
-
-// Width of a pixel, in the world, at the distance of a hit.
-float pixel_width(const RayMap& rays, const Look& look)
-{
-    return glm::length(rays.origin_dx + look.hit.distance * rays.direction_dx);
-}
-
-bool same_surface(const RayMap& rays, const Look& a, const Look& b)
-{
-    if (a.hit.instance != b.hit.instance)
+    if (a.instance != b.instance)
         return false;
-    if (!a.hit.found())
+    if (a.instance == Hit::nothing)
         return true;
-    if (glm::dot(a.hit.normal, b.hit.normal) < least_bend_cosine)
-        return false;
-    const float off = std::fabs(glm::dot(point(rays, b) - point(rays, a), a.hit.normal));
-    return off < pixel_width(rays, a);
+    return glm::dot(a.normal, b.normal) > least_bend_cosine &&
+           std::fabs(glm::dot(b.point - a.point, a.normal)) < a.pixel_width;
 }
 
 // The share of a surface that is seen, 0 to 1, where its material has the given alpha.
@@ -96,31 +81,42 @@ void TileDrawer::look_at_centres(const TileArea& area)
     apron_width_ = std::min(area.x + area.width + 1, picture_.settings.width) - apron_x_;
     apron_height_ = std::min(area.y + area.height + 1, picture_.settings.height) - apron_y_;
     centres_.clear();
-    centre_.resize(static_cast<std::size_t>(apron_width_ * apron_height_));
     for (int block_y = 0; block_y < apron_height_; block_y += 4)
         for (int block_x = 0; block_x < apron_width_; block_x += 4)
             for (int row = block_y; row < std::min(block_y + 4, apron_height_); ++row)
                 for (int column = block_x; column < std::min(block_x + 4, apron_width_); ++column) {
-                    centre_[static_cast<std::size_t>(row * apron_width_ + column)] =
-                        static_cast<std::uint32_t>(centres_.size());
                     Look look;
                     look.x = static_cast<float>(apron_x_ + column) + 0.5f;
                     look.y = static_cast<float>(apron_y_ + row) + 0.5f;
+                    look.pixel = static_cast<std::uint32_t>(row * apron_width_ + column);
                     centres_.push_back(look);
                 }
     sight_.look(centres_);
+    seen_.resize(centres_.size());
+    centre_.resize(centres_.size());
+    const RayMap& rays = picture_.rays;
+    for (const Look& look : centres_) {
+        Seen& seen = seen_[look.pixel];
+        centre_[look.pixel] = static_cast<std::uint32_t>(&look - centres_.data());
+        seen.instance = look.hit.instance;
+        if (!look.hit.found())
+            continue;
+        seen.normal = look.hit.normal;
+        seen.point =
+            rays.origin + look.x * rays.origin_dx + look.y * rays.origin_dy +
+            look.hit.distance * (rays.direction + look.x * rays.direction_dx + look.y * rays.direction_dy);
+        seen.pixel_width = glm::length(rays.origin_dx + look.hit.distance * rays.direction_dx);
+    }
 }
 
 // Whether the surface in the middle of a pixel of the apron ends towards one of its neighbours.
 bool TileDrawer::is_edge(int column, int row) const
 {
-    const auto centre = [&](int c, int r) -> const Look& {
-        return centres_[centre_[static_cast<std::size_t>(r * apron_width_ + c)]];
-    };
-    const Look& look = centre(column, row);
-    for (int r = std::max(row - 1, 0); r <= std::min(row + 1, apron_height_ - 1); ++r)
-        for (int c = std::max(column - 1, 0); c <= std::min(column + 1, apron_width_ - 1); ++c)
-            if (!same_surface(picture_.rays, look, centre(c, r)))
+    const Seen* const middle = seen_.data() + row * apron_width_ + column;
+    const int first = column > 0 ? -1 : 0, last = column < apron_width_ - 1 ? 1 : 0;
+    for (int r = row > 0 ? -1 : 0; r <= (row < apron_height_ - 1 ? 1 : 0); ++r)
+        for (int c = first; c <= last; ++c)
+            if (!same_surface(*middle, middle[r * apron_width_ + c]))
                 return true;
     return false;
 }
@@ -129,7 +125,7 @@ bool TileDrawer::is_edge(int column, int row) const
 void TileDrawer::choose_looks(const TileArea& area)
 {
     looks_.clear();
-    std::vector<Look> edges;
+    edges_.clear();
     const bool several = picture_.subpixels.size() > 1;
     for (int y = 0; y < area.height; ++y)
         for (int x = 0; x < area.width; ++x) {
@@ -145,11 +141,11 @@ void TileDrawer::choose_looks(const TileArea& area)
             for (const glm::vec2& place : picture_.subpixels) {
                 look.x = static_cast<float>(area.x + x) + place.x;
                 look.y = static_cast<float>(area.y + y) + place.y;
-                edges.push_back(look);
+                edges_.push_back(look);
             }
         }
-    sight_.look(edges);
-    looks_.insert(looks_.end(), edges.begin(), edges.end());
+    sight_.look(edges_);
+    looks_.insert(looks_.end(), edges_.begin(), edges_.end());
 }
 
 void TileDrawer::place_fragment(const Look& look, std::size_t at)

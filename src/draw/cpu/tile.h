@@ -29,6 +29,13 @@ struct TileArea {
     int x, y, width, height; ///< pixels
 };
 
+/// What the middle of a pixel shows, to tell where surfaces end.
+struct Seen {
+    std::uint32_t instance = Hit::nothing;
+    float pixel_width = 0.0f; ///< in the world, at the point
+    glm::vec3 point{0.0f}, normal{0.0f};
+};
+
 /// Draws tiles one after the other; one per thread.
 class TileDrawer {
 public:
@@ -59,7 +66,9 @@ private:
     int apron_x_ = 0, apron_y_ = 0, apron_width_ = 0, apron_height_ = 0; ///< the area and one pixel around it
     std::vector<Look> centres_;           ///< of the apron's pixels, in the order they were looked at
     std::vector<std::uint32_t> centre_;   ///< [row of the apron][column]: index into centres_
+    std::vector<Seen> seen_;              ///< [row of the apron][column]
     std::vector<Look> looks_;             ///< of the present wave
+    std::vector<Look> edges_;             ///< several per pixel, where surfaces end
     std::vector<Look> surfaces_;          ///< looks that became fragments: one per surface and pixel
     std::vector<std::uint32_t> group_of_; ///< of each of surfaces_
     std::vector<float> background_;       ///< per pixel of the tile: share that nothing covers

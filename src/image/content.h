@@ -1,0 +1,21 @@
+// What kind of image a file is, told from its first bytes.
+#pragma once
+
+#include "image/byte_source.h"
+
+#include <cstdint>
+#include <span>
+
+namespace lambent::image {
+
+enum class Content { radiance, exr, png, jpeg, other };
+
+Content content_of(std::span<const std::uint8_t> bytes);
+
+/// Throws Error(bad_input) when the source is empty.
+Content content_of(ByteSource& source);
+
+/// As in "is a PNG".
+const char* name_of(Content content);
+
+} // namespace lambent::image

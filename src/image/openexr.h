@@ -1,0 +1,27 @@
+// OpenEXR files, through the OpenEXR library.
+#pragma once
+
+#include "image/byte_source.h"
+#include "image/image_io.h"
+#include "image/openexr_header.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace lambent::image {
+
+/// The rows of the first part that has colour: channels R, G, B; else those of the first layer that has all
+/// three; else Y as grey. Half, float and uint, scanlines and tiles (their finest level), every compression.
+/// The data window is the image. Deep and luminance-chroma images and subsampled channels are refused.
+/// Rows are decoded in groups (1 to 256 rows, or those of a tile): calls for many rows at once use several
+/// threads. Throws Error(bad_input).
+std::unique_ptr<RadianceReader> open_exr(std::unique_ptr<ByteSource> source);
+
+/// Throws Error(bad_input).
+ImageInfo inspect_exr(ByteSource& source);
+
+/// RGB or RGBA, 32-bit float, ZIP, every value as it is, NaN and infinity included.
+std::vector<std::uint8_t> encode_exr(const RadianceImage& image);
+
+} // namespace lambent::image

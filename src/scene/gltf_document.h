@@ -1,0 +1,64 @@
+// A glTF file taken apart but not yet interpreted: tinygltf's model, the buffers' bytes, the images' sources.
+#pragma once
+
+#include "scene/gltf_bytes.h"
+#include "scene/gltf_message.h"
+#include "scene/tinygltf_header.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lambent::scene {
+
+struct BufferBytes {
+    std::span<const std::uint8_t> bytes; ///< exactly byteLength of them
+    bool present = false; ///< false: neither a uri nor a BIN chunk (allowed while nothing uses it)
+};
+
+/// Where an image's PNG or JPEG bytes are: one of the two.
+struct ImageSource {
+    std::string name;
+    std::string uri;
+    int buffer_view = -1;
+};
+
+struct Document {
+    std::string file;
+    std::optional<std::filesystem::path> folder;
+    tinygltf::Model model; ///< without buffers and images; every property checked by check_schema
+    std::vector<BufferBytes> buffers;
+    std::vector<ImageSource> images;
+    std::vector<std::vector<std::uint8_t>> storage; ///< what `buffers` point into, unless it is the source
+
+    Document() = default;
+    Document(Document&&) = default; // a copy's `buffers` would point into the original
+    Document& operator=(Document&&) = default;
+
+    /// Throws Error(bad_input): the file's name, then the arguments.
+    template <class... Parts>
+    [[noreturn]] void fail(const Parts&... parts) const
+    {
+        refuse(file, ": ", parts...);
+    }
+
+    std::uint64_t buffer_bytes() const; ///< all buffers together
+};
+
+/// Takes the file apart. `source.bytes` must outlive the document. Throws Error(bad_input).
+Document open_document(const GltfSource& source, Warnings& warnings);
+
+/// The bytes of a bufferView; `what` ("accessor 3") says in the error who asked.
+std::span<const std::uint8_t> view_bytes(const Document& document, int buffer_view, const std::string& what);
+
+/// The bytes of a file named by a uri beside the glTF; the error starts with `where`.
+std::vector<std::uint8_t> read_beside(const std::optional<std::filesystem::path>& folder,
+                                      const std::string& uri, const std::string& where);
+
+/// tinygltf's parse of JSON text that passed check_schema.
+tinygltf::Model parse_model(const std::string& json, const std::string& file);
+
+} // namespace lambent::scene

@@ -1,0 +1,153 @@
+#include "scene/gltf_light.h"
+
+#include <glm/geometric.hpp>
+
+#include <cmath>
+#include <optional>
+
+namespace lambent::scene {
+namespace {
+
+constexpr double half_turn = 3.14159265358979323846;
+
+std::size_t at(int index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+// Rotation and translation of a transform: the Z axis keeps its direction, Y stays in the plane of Z and Y.
+std::optional<glm::mat4> rigid(const glm::dmat4& transform)
+{
+    const glm::dvec3 z(transform[2]);
+    const double z_length = glm::length(z);
+    const glm::dvec3 unit_z = z / z_length;
+    const glm::dvec3 y = glm::dvec3(transform[1]) - unit_z * glm::dot(unit_z, glm::dvec3(transform[1]));
+    const double y_length = glm::length(y);
+    if (!(z_length > 0.0) || !(y_length > 1e-9 * glm::length(glm::dvec3(transform[1]))))
+        return std::nullopt;
+    const glm::dvec3 unit_y = y / y_length;
+    return glm::mat4(glm::dmat4(glm::dvec4(glm::cross(unit_y, unit_z), 0.0), glm::dvec4(unit_y, 0.0),
+                                glm::dvec4(unit_z, 0.0), transform[3]));
+}
+
+Camera read_lens(const Document& document, int index)
+{
+    if (index < 0 || at(index) >= document.model.cameras.size())
+        document.fail("camera ", index, " does not exist");
+    const tinygltf::Camera& source = document.model.cameras[at(index)];
+    Camera camera;
+    camera.name = source.name;
+    if (source.type == "perspective") {
+        if (!(source.perspective.yfov > 0.0 && source.perspective.yfov < half_turn))
+            document.fail("camera ", index, ": yfov ", source.perspective.yfov, " is not between 0 and pi");
+        camera.vertical_fov = static_cast<float>(source.perspective.yfov);
+    } else {
+        // ymag is half of what is seen; a negative one would turn the picture over and is read as positive.
+        camera.vertical_size = static_cast<float>(2.0 * std::abs(source.orthographic.ymag));
+        if (!(camera.vertical_size > 0.0f && std::isfinite(camera.vertical_size)))
+            document.fail("camera ", index, ": ymag ", source.orthographic.ymag, " is no size");
+    }
+    return camera;
+}
+
+// Index of the light that a node carries; -1 for none.
+int light_of(const tinygltf::Node& node)
+{
+    const auto extension = node.extensions.find("KHR_lights_punctual");
+    return extension == node.extensions.end() ? -1 : extension->second.Get("light").GetNumberAsInt();
+}
+
+glm::vec3 light_intensity(const Document& document, const tinygltf::Light& light, const std::string& name)
+{
+    glm::vec3 intensity(static_cast<float>(light.intensity));
+    for (std::size_t channel = 0; channel < light.color.size(); ++channel)
+        intensity[static_cast<int>(channel)] = static_cast<float>(light.intensity * light.color[channel]);
+    for (int channel = 0; channel < 3; ++channel)
+        if (!(intensity[channel] >= 0.0f && std::isfinite(intensity[channel])))
+            document.fail(name, ": its intensity times colour is negative or too large");
+    return intensity;
+}
+
+void read_cones(const Document& document, const tinygltf::SpotLight& spot, const std::string& name,
+                Light& light)
+{
+    if (!(spot.innerConeAngle >= 0.0 && spot.innerConeAngle <= spot.outerConeAngle &&
+          spot.outerConeAngle > 0.0 && spot.outerConeAngle <= half_turn / 2.0 + 1e-6))
+        document.fail(name, ": cone angles ", spot.innerConeAngle, " and ", spot.outerConeAngle,
+                      " are not 0 <= inner <= outer <= pi/2");
+    light.inner_cone = static_cast<float>(spot.innerConeAngle);
+    light.outer_cone = static_cast<float>(spot.outerConeAngle);
+}
+
+Light read_light(const Document& document, int index)
+{
+    const std::string name = text("light ", index);
+    if (index < 0 || at(index) >= document.model.lights.size())
+        document.fail(name, " does not exist");
+    const tinygltf::Light& source = document.model.lights[at(index)];
+    Light light;
+    if (source.type == "directional")
+        light.kind = LightKind::directional;
+    else if (source.type == "point")
+        light.kind = LightKind::point;
+    else if (source.type == "spot")
+        light.kind = LightKind::spot;
+    else
+        document.fail(name, ": type \"", printable(source.type), "\" is not known");
+    light.intensity = light_intensity(document, source, name);
+    if (source.range < 0.0)
+        document.fail(name, ": range ", source.range, " is negative");
+    if (source.range > 0.0)
+        light.range = static_cast<float>(source.range);
+    if (light.kind == LightKind::spot)
+        read_cones(document, source.spot, name, light);
+    return light;
+}
+
+} // namespace
+
+std::vector<Camera> read_cameras(const Document& document, const NodeTree& nodes, Warnings& warnings)
+{
+    std::vector<Camera> cameras;
+    for (const int node : nodes.drawn) {
+        const tinygltf::Node& source = document.model.nodes[at(node)];
+        if (source.camera < 0)
+            continue;
+        Camera camera = read_lens(document, source.camera);
+        if (!source.name.empty())
+            camera.name = source.name;
+        const auto transform = rigid(nodes.world[at(node)]);
+        if (!transform) {
+            warnings.push_back(text(document.file, ": node ", node, ": camera without direction left out"));
+            continue;
+        }
+        camera.transform = *transform;
+        cameras.push_back(std::move(camera));
+    }
+    return cameras;
+}
+
+std::vector<Light> read_lights(const Document& document, const NodeTree& nodes, Warnings& warnings)
+{
+    std::vector<Light> lights;
+    for (const int node : nodes.drawn) {
+        const int index = light_of(document.model.nodes[at(node)]);
+        if (index < 0)
+            continue;
+        Light light = read_light(document, index);
+        const glm::dmat4& world = nodes.world[at(node)];
+        light.position = glm::vec3(glm::dvec3(world[3]));
+        const glm::dvec3 backward(world[2]);
+        const double length = glm::length(backward);
+        if (length > 0.0) {
+            light.direction = glm::vec3(-backward / length);
+        } else if (light.kind != LightKind::point) {
+            warnings.push_back(text(document.file, ": node ", node, ": light without direction left out"));
+            continue;
+        }
+        lights.push_back(light);
+    }
+    return lights;
+}
+
+} // namespace lambent::scene

@@ -1,0 +1,18 @@
+// Cameras and lights of the drawn nodes.
+#pragma once
+
+#include "scene/gltf_document.h"
+#include "scene/gltf_nodes.h"
+
+#include <vector>
+
+namespace lambent::scene {
+
+/// Cameras with the scale taken out of their transform. One whose axes have collapsed is left out with a
+/// warning. Throws Error(bad_input) for an index that does not exist or an impossible angle or size.
+std::vector<Camera> read_cameras(const Document& document, const NodeTree& nodes, Warnings& warnings);
+
+/// KHR_lights_punctual: lights shine along their node's -Z. As above.
+std::vector<Light> read_lights(const Document& document, const NodeTree& nodes, Warnings& warnings);
+
+} // namespace lambent::scene

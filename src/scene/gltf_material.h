@@ -1,0 +1,29 @@
+// Materials, textures and samplers of the primitives that are drawn.
+#pragma once
+
+#include "scene/gltf_document.h"
+#include "scene/gltf_primitive.h"
+
+#include <span>
+#include <vector>
+
+namespace lambent::scene {
+
+struct MaterialTable {
+    std::vector<Material> materials; ///< in the order of first use; never empty
+    std::vector<int> scene_index;    ///< of each material of the file, last: of the default; -1: not used
+    std::vector<int> images;         ///< the file's image behind each image index in `materials`
+
+    /// Index into `materials` for a primitive's material (-1: the default one).
+    int index_of(int material) const;
+};
+
+/// Reads the listed materials (-1 is the default). Factors outside their range are clamped, with a warning.
+/// Throws Error(bad_input) for a material, texture, sampler or image that does not exist, or an unknown
+/// alphaMode, filter or wrap mode.
+MaterialTable read_materials(const Document& document, std::span<const int> used, Warnings& warnings);
+
+/// What a material's textures ask of the vertices.
+TextureNeeds texture_needs(const Material& material);
+
+} // namespace lambent::scene

@@ -1,0 +1,207 @@
+#include "scene/gltf_mesh.h"
+
+#include "scene/gltf_deform.h"
+#include "scene/gltf_primitive.h"
+#include "scene/parallel.h"
+#include "scene/transform.h"
+
+#include <cmath>
+#include <map>
+
+namespace lambent::scene {
+namespace {
+
+// A few million elements are free; beyond that a file may ask for no more than this many for each byte of its
+// buffers. Reading every byte as an index of a strip without normals makes three vertices of one byte, so even
+// such a file may use its data twenty times over.
+constexpr std::uint64_t free_elements = 2'000'000;
+constexpr std::uint64_t elements_per_byte = 64;
+constexpr std::size_t most_instances = 1'000'000;
+
+std::size_t at(int index)
+{
+    return static_cast<std::size_t>(index);
+}
+
+// What is read, and who shows it.
+struct Plan {
+    std::vector<PrimitiveRequest> requests;
+    std::vector<int> materials; // of each request, as the file numbers them
+    struct Use {
+        int node;
+        std::size_t request;
+    };
+    std::vector<Use> uses;
+    std::map<int, std::vector<glm::mat4>> skins; // requests point into these
+    std::size_t not_triangles = 0;               // primitives left out
+};
+
+class Planner {
+public:
+    Planner(const Document& document, const NodeTree& nodes) : document_(document), nodes_(nodes) {}
+
+    Plan make()
+    {
+        for (const int node : nodes_.drawn)
+            if (document_.model.nodes[at(node)].mesh >= 0)
+                add_node(node);
+        return std::move(plan_);
+    }
+
+private:
+    struct Range {
+        std::size_t begin;
+        std::size_t end;
+    };
+
+    void add_node(int node)
+    {
+        const tinygltf::Node& source = document_.model.nodes[at(node)];
+        if (at(source.mesh) >= document_.model.meshes.size())
+            document_.fail("node ", node, ": mesh ", source.mesh, " does not exist");
+        // Deformed by the node: no other node sees the same shape.
+        const bool alone = source.skin >= 0 || !source.weights.empty();
+        Range range;
+        if (const auto shared = shared_.find(source.mesh); !alone && shared != shared_.end()) {
+            range = shared->second;
+        } else {
+            range = add_requests(source);
+            if (!alone)
+                shared_[source.mesh] = range;
+        }
+        if (plan_.uses.size() + (range.end - range.begin) > most_instances)
+            document_.fail("more than ", most_instances, " instances");
+        for (std::size_t request = range.begin; request < range.end; ++request)
+            plan_.uses.push_back({node, request});
+    }
+
+    Range add_requests(const tinygltf::Node& node)
+    {
+        const tinygltf::Mesh& mesh = document_.model.meshes[at(node.mesh)];
+        PrimitiveRequest request;
+        request.mesh = node.mesh;
+        request.weights = node.weights.empty() ? mesh.weights : node.weights;
+        if (node.skin >= 0)
+            request.skin = skin(node.skin);
+        const std::size_t begin = plan_.requests.size();
+        for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
+            request.primitive = static_cast<int>(i);
+            if (!is_drawable(document_, request.mesh, request.primitive)) {
+                ++plan_.not_triangles;
+                continue;
+            }
+            plan_.requests.push_back(request);
+            plan_.materials.push_back(mesh.primitives[i].material);
+        }
+        return {begin, plan_.requests.size()};
+    }
+
+    const std::vector<glm::mat4>& skin(int index)
+    {
+        const auto found = plan_.skins.find(index);
+        if (found != plan_.skins.end())
+            return found->second;
+        return plan_.skins.emplace(index, skin_matrices(document_, nodes_, index)).first->second;
+    }
+
+    const Document& document_;
+    const NodeTree& nodes_;
+    Plan plan_;
+    std::map<int, Range> shared_; // by mesh
+};
+
+// Before anything large is allocated.
+void check_work(const Document& document, const Plan& plan)
+{
+    const std::uint64_t most = free_elements + elements_per_byte * document.buffer_bytes();
+    std::uint64_t elements = 0;
+    for (const PrimitiveRequest& request : plan.requests) {
+        elements += check_request(document, request);
+        if (elements > most)
+            document.fail("its meshes read more than ", most, " elements out of ", document.buffer_bytes(),
+                          " bytes");
+    }
+}
+
+void warn(const Document& document, const PrimitiveNotes& notes, std::size_t not_triangles,
+          Warnings& warnings)
+{
+    const auto warn_if = [&](std::size_t count, const char* what) {
+        if (count != 0)
+            warnings.push_back(text(document.file, ": ", count, what));
+    };
+    warn_if(not_triangles, " primitives are points, lines or without positions: left out");
+    warn_if(notes.left_over_indices, " indices after the last whole triangle left out");
+    warn_if(notes.rebuilt_normals, " normals of no length rebuilt from the faces");
+    warn_if(notes.rebuilt_tangents, " tangents of no use replaced");
+    warn_if(notes.replaced_texcoords, " texture coordinates were not finite: replaced by 0");
+    warn_if(notes.replaced_colors, " vertex colours were not finite: replaced by white");
+    warn_if(notes.missing_texcoords,
+            " primitives have textures but not the texture coordinates they are read at: (0, 0) is used");
+}
+
+// Squares of distances must fit a float with room to spare; nobody draws the Milky Way in metres.
+void check_reach(const Document& document, const glm::dmat4& transform, float reach, int node)
+{
+    constexpr double farthest = 1e18;
+    for (int axis = 0; axis < 3; ++axis) {
+        double most = std::abs(transform[3][axis]);
+        for (int column = 0; column < 3; ++column)
+            most += std::abs(transform[column][axis]) * static_cast<double>(reach);
+        if (!(most <= farthest))
+            document.fail("node ", node, ": its vertices are more than ", farthest, " m away");
+    }
+}
+
+// Instances of the results that have triangles; those results become meshes, in order.
+void assemble(const Document& document, const NodeTree& nodes, const Plan& plan,
+              std::vector<PrimitiveResult>& results, DrawnMeshes& drawn, Warnings& warnings)
+{
+    std::vector<int> mesh_of(results.size(), -1);
+    std::size_t singular = 0;
+    for (const Plan::Use& use : plan.uses) {
+        PrimitiveResult& result = results[use.request];
+        const glm::dmat4 transform = result.in_world ? glm::dmat4(1.0) : nodes.world[at(use.node)];
+        if (!is_invertible(transform)) {
+            ++singular;
+            continue;
+        }
+        check_reach(document, transform, result.reach, use.node);
+        if (mesh_of[use.request] < 0) {
+            if (result.mesh.triangles.empty())
+                continue;
+            mesh_of[use.request] = static_cast<int>(drawn.meshes.size());
+            result.mesh.material = drawn.materials.index_of(plan.materials[use.request]);
+            drawn.meshes.push_back(std::move(result.mesh));
+        }
+        drawn.instances.push_back({mesh_of[use.request], -1, glm::mat4(transform)});
+    }
+    if (singular != 0)
+        warnings.push_back(
+            text(document.file, ": ", singular, " instances flattened by a singular transform: left out"));
+}
+
+} // namespace
+
+DrawnMeshes read_meshes(const Document& document, const NodeTree& nodes, Warnings& warnings)
+{
+    Plan plan = Planner(document, nodes).make();
+    check_work(document, plan);
+    DrawnMeshes drawn;
+    drawn.materials = read_materials(document, plan.materials, warnings);
+    for (std::size_t i = 0; i < plan.requests.size(); ++i)
+        plan.requests[i].needs =
+            texture_needs(drawn.materials.materials[at(drawn.materials.index_of(plan.materials[i]))]);
+
+    std::vector<PrimitiveResult> results(plan.requests.size());
+    parallel_for_each_index(results.size(),
+                            [&](std::size_t i) { results[i] = read_primitive(document, plan.requests[i]); });
+    PrimitiveNotes notes;
+    for (const PrimitiveResult& result : results)
+        notes += result.notes;
+    warn(document, notes, plan.not_triangles, warnings);
+    assemble(document, nodes, plan, results, drawn, warnings);
+    return drawn;
+}
+
+} // namespace lambent::scene

@@ -1,0 +1,58 @@
+// One primitive of the file becomes one mesh.
+#pragma once
+
+#include "scene/gltf_document.h"
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+
+#include <cstddef>
+#include <span>
+
+namespace lambent::scene {
+
+/// What the primitive's material asks of its vertices.
+struct TextureNeeds {
+    bool texcoord[2] = {false, false}; ///< some texture reads this set
+    int normal_map_set = -1;           ///< the set of the normal texture; -1: none
+    glm::mat3 normal_map_transform{1.0f};
+};
+
+struct PrimitiveRequest {
+    int mesh = 0;
+    int primitive = 0;
+    std::span<const double> weights; ///< of the morph targets
+    std::span<const glm::mat4> skin; ///< world from mesh for each joint; empty: not skinned
+    TextureNeeds needs;
+};
+
+/// What happened that the user should know, counted.
+struct PrimitiveNotes {
+    std::size_t rebuilt_normals = 0;
+    std::size_t rebuilt_tangents = 0;
+    std::size_t replaced_texcoords = 0; ///< were not finite: now 0
+    std::size_t replaced_colors = 0;    ///< were not finite: now 1
+    std::size_t left_over_indices = 0;  ///< after the last whole triangle
+    std::size_t missing_texcoords = 0;  ///< primitives whose material reads a set they do not have
+
+    PrimitiveNotes& operator+=(const PrimitiveNotes& other);
+};
+
+struct PrimitiveResult {
+    Mesh mesh;             ///< material left at 0; without triangles where the primitive has none
+    bool in_world = false; ///< skinned: the node's transform does not apply
+    float reach = 0.0f;    ///< largest coordinate of a position, sign aside
+    PrimitiveNotes notes;
+};
+
+/// Whether the primitive is made of triangles and has positions. Throws Error(bad_input) for an unknown mode.
+bool is_drawable(const Document& document, int mesh, int primitive);
+
+/// Checks every accessor the request reads and returns how many elements reading it visits: the loader's
+/// measure of work. Throws Error(bad_input).
+std::uint64_t check_request(const Document& document, const PrimitiveRequest& request);
+
+/// Reads, deforms, and completes the vertices (normals, tangents). Throws Error(bad_input).
+PrimitiveResult read_primitive(const Document& document, const PrimitiveRequest& request);
+
+} // namespace lambent::scene

@@ -1,0 +1,35 @@
+// The program as a user runs it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace lambent::testing {
+
+struct Outcome {
+    int code = -1;          ///< exit code; 128 + n if killed by signal n
+    std::string output;     ///< standard output
+    std::string error;      ///< standard error
+    double seconds = 0.0;   ///< wall clock
+    double megabytes = 0.0; ///< peak resident memory
+};
+
+/// Runs build/.../lambent with these words. A run over `limit_seconds` is killed.
+Outcome lambent(const std::vector<std::string>& words, double limit_seconds = 60.0);
+
+/// A folder of its own for each test, removed at its end.
+class Folder {
+public:
+    Folder();
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    ~Folder();
+
+    std::string path(const std::string& name) const { return folder_ + "/" + name; }
+    std::vector<std::string> names() const; ///< of all files in it
+
+private:
+    std::string folder_;
+};
+
+} // namespace lambent::testing

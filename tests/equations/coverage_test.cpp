@@ -1,0 +1,157 @@
+// Every function of the text is called by a probe.
+#include "tests/equations/probes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace lambent::test {
+namespace {
+
+std::string read_without_comments(const std::filesystem::path& path)
+{
+    std::ifstream file(path);
+    EXPECT_TRUE(file) << path;
+    std::string text;
+    for (std::string line; std::getline(file, line);)
+        text += line.substr(0, line.find("//")) + '\n';
+    return text;
+}
+
+bool in_name(char c)
+{
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+
+// A name that is followed by a parenthesis: the call or the definition of a function, or a keyword.
+struct Call {
+    std::string name;
+    std::string before; // what stands in its line before it
+};
+
+std::vector<Call> calls_in(const std::string& text)
+{
+    std::vector<Call> calls;
+    for (size_t at = text.find('('); at != std::string::npos; at = text.find('(', at + 1)) {
+        size_t begin = at;
+        while (begin > 0 && in_name(text[begin - 1]))
+            begin--;
+        const size_t line = begin == 0 ? 0 : text.rfind('\n', begin - 1) + 1;
+        if (begin < at)
+            calls.push_back({text.substr(begin, at - begin), text.substr(line, begin - line)});
+    }
+    return calls;
+}
+
+// A definition has nothing before its name but, from the beginning of the line, a type and a blank.
+bool is_definition(const Call& call)
+{
+    return call.before.size() > 1 && call.before.back() == ' ' &&
+           std::all_of(call.before.begin(), call.before.end() - 1, in_name);
+}
+
+// Names of the functions that a text defines, with how many overloads of each.
+std::map<std::string, int> defined_functions(const std::string& text)
+{
+    std::map<std::string, int> overloads;
+    for (const Call& call : calls_in(text))
+        if (is_definition(call))
+            overloads[call.name]++;
+    return overloads;
+}
+
+// Functions of `text` that `probes` calls less often than they have overloads.
+std::vector<std::string> not_called(const std::string& text, const std::string& probes)
+{
+    std::map<std::string, int> called;
+    for (const Call& call : calls_in(probes))
+        called[call.name]++;
+    std::vector<std::string> missing;
+    for (const auto& [name, overloads] : defined_functions(text))
+        if (called[name] < overloads)
+            missing.push_back(name);
+    return missing;
+}
+
+// The files that all.glsl includes.
+std::vector<std::string> included_files()
+{
+    const std::string list = read_without_comments(std::filesystem::path(EQUATIONS_FOLDER) / "all.glsl");
+    std::vector<std::string> names;
+    for (size_t at = list.find('"'); at != std::string::npos; at = list.find('"', at + 1)) {
+        const size_t end = list.find('"', at + 1);
+        names.push_back(list.substr(at + 1, end - at - 1));
+        at = end;
+    }
+    return names;
+}
+
+std::string probes_text()
+{
+    return read_without_comments(std::filesystem::path(TEST_FOLDER) / "probes.glsl");
+}
+
+TEST(Coverage, EveryFunctionIsProbed)
+{
+    std::string text;
+    for (const std::string& name : included_files())
+        text += read_without_comments(std::filesystem::path(EQUATIONS_FOLDER) / name);
+    EXPECT_GE(defined_functions(text).size(), 40u); // the scan sees the text
+    EXPECT_EQ(not_called(text, probes_text()), std::vector<std::string>());
+}
+
+TEST(Coverage, EveryPassIsProbed)
+{
+    std::string text;
+    for (const auto& entry : std::filesystem::directory_iterator(SHADING_FOLDER))
+        if (entry.path().extension() == ".glsl")
+            text += read_without_comments(entry.path());
+    EXPECT_EQ(not_called(text, probes_text()), std::vector<std::string>());
+}
+
+TEST(Coverage, EveryProbeIsListed)
+{
+    const std::string text = probes_text();
+    size_t probes = 0;
+    for (size_t at = text.find("\nOutputs "); at != std::string::npos; at = text.find("\nOutputs ", at + 1)) {
+        const size_t name = at + 9, parenthesis = text.find('(', name);
+        if (text.compare(parenthesis, 10, "(Inputs i)") != 0)
+            continue;
+        probes++;
+        EXPECT_TRUE(std::any_of(all_probes().begin(), all_probes().end(), [&](const Probe& p) {
+            return p.name == text.substr(name, parenthesis - name);
+        })) << text.substr(name, parenthesis - name);
+    }
+    EXPECT_EQ(probes, all_probes().size());
+}
+
+TEST(Coverage, EveryFileIsInTheWholeText)
+{
+    const std::vector<std::string> included = included_files();
+    for (const auto& entry : std::filesystem::directory_iterator(EQUATIONS_FOLDER)) {
+        const std::string name = entry.path().filename().string();
+        if (entry.path().extension() == ".glsl" && name != "all.glsl" && name != "in_glsl.glsl") {
+            EXPECT_EQ(std::count(included.begin(), included.end(), name), 1) << name;
+        }
+    }
+}
+
+TEST(Coverage, ScanFindsWhatIsMissing)
+{
+    const std::string text = "Real first(Real a)\n{\n    return a;\n}\nvec3 second(vec3 a) { return a; }\n"
+                             "Real second(Real a) { return first(a); }\nstruct Third {\n};\n";
+    const std::vector<std::string> none;
+    EXPECT_EQ(not_called(text, "x = first(1.0); y = second(x); z = second(y);"), none);
+    EXPECT_EQ(not_called(text, "y = second(x); z = second(y);"), std::vector<std::string>({"first"}));
+    EXPECT_EQ(not_called(text, "x = first(1.0); y = second(x);"), std::vector<std::string>({"second"}));
+    EXPECT_EQ(not_called(text, "x = my_first(1.0); second(second(x))"), std::vector<std::string>({"first"}));
+}
+
+} // namespace
+} // namespace lambent::test

@@ -1,0 +1,73 @@
+// The folders under src/ and who may include whom: docs/ARCHITECTURE.md as a test.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+
+namespace lambent {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What each folder may include besides itself. draw/cpu counts as draw.
+const std::map<std::string, std::set<std::string>> allowed = {
+    {"base", {}},
+    {"equations", {}},
+    {"wide", {"equations"}},
+    {"shading", {}},
+    {"image", {"base"}},
+    {"scene", {"base", "image", "equations"}},
+    {"environment", {"base", "image", "equations", "wide"}},
+    {"draw", {"base", "image", "scene", "environment", "equations", "shading", "wide"}},
+    {"display", {"image", "equations", "wide"}},
+    {"apps", {"base", "image", "scene", "environment", "draw", "display"}},
+};
+
+std::string folder_of(const fs::path& path)
+{
+    return path.begin()->string();
+}
+
+// Calls visit(file, included folder) for every include of one of our own folders.
+template <class Visit>
+void for_each_include(Visit&& visit)
+{
+    const fs::path root = LAMBENT_SOURCE_FOLDER;
+    const std::regex include("^\\s*#include \"([a-z_]+)/[^\"]*\"");
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root)) {
+        const std::string extension = entry.path().extension().string();
+        if (extension != ".h" && extension != ".cpp" && extension != ".glsl")
+            continue;
+        std::ifstream file(entry.path());
+        std::smatch match;
+        for (std::string line; std::getline(file, line);)
+            if (std::regex_search(line, match, include))
+                visit(fs::relative(entry.path(), root), match[1].str());
+    }
+}
+
+TEST(Layout, EveryFolderIncludesOnlyWhatTheDesignAllows)
+{
+    int includes = 0;
+    for_each_include([&](const fs::path& file, const std::string& included) {
+        ++includes;
+        const std::string folder = folder_of(file);
+        ASSERT_TRUE(allowed.contains(folder)) << file << " is in a folder the design does not know";
+        EXPECT_TRUE(included == folder || allowed.at(folder).contains(included))
+            << file << " includes " << included;
+    });
+    EXPECT_GT(includes, 100);
+}
+
+TEST(Layout, EveryFolderIsThere)
+{
+    for (const auto& [folder, others] : allowed)
+        EXPECT_TRUE(fs::is_directory(fs::path(LAMBENT_SOURCE_FOLDER) / folder)) << folder;
+}
+
+} // namespace
+} // namespace lambent

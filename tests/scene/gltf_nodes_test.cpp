@@ -1,0 +1,291 @@
+// Hierarchy, cameras, lights.
+#include "tests/scene/gltf_builder.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace lambent::scene::test {
+namespace {
+
+void expect_near(glm::vec3 a, glm::vec3 b, float bound = 1e-6f)
+{
+    for (int i = 0; i < 3; ++i)
+        EXPECT_NEAR(a[i], b[i], bound) << "component " << i;
+}
+
+glm::vec3 apply(const glm::mat4& matrix, glm::vec3 point)
+{
+    return glm::vec3(matrix * glm::vec4(point, 1.0f));
+}
+
+// The triangle's mesh under a tree of nodes.
+GltfBuilder with_nodes(const json& nodes, const json& roots)
+{
+    GltfBuilder builder = triangle();
+    builder.document["nodes"] = nodes;
+    builder.document["scenes"] = {{{"nodes", roots}}};
+    return builder;
+}
+
+TEST(GltfNodes, TranslationRotationScaleApplyInThisOrderFromTheRight)
+{
+    const double half = std::sqrt(0.5); // a quarter turn about +Z takes +X to +Y
+    const Scene scene = load(with_nodes(
+        {{{"mesh", 0}, {"translation", {10, 0, 0}}, {"rotation", {0, 0, half, half}}, {"scale", {2, 3, 4}}}},
+        {0}));
+    expect_near(apply(scene.instances.at(0).transform, {1, 0, 0}), {10, 2, 0}, 1e-5f);
+    expect_near(apply(scene.instances.at(0).transform, {0, 1, 0}), {7, 0, 0}, 1e-5f);
+    expect_near(apply(scene.instances.at(0).transform, {0, 0, 1}), {10, 0, 4}, 1e-5f);
+}
+
+TEST(GltfNodes, MatricesAreColumnMajor)
+{
+    const Scene scene =
+        load(with_nodes({{{"mesh", 0}, {"matrix", {0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1}}}}, {0}));
+    expect_near(apply(scene.instances.at(0).transform, {1, 0, 0}), {5, 7, 7});
+}
+
+TEST(GltfNodes, ParentsApplyAfterChildren)
+{
+    const Scene scene = load(with_nodes({{{"children", {2}}, {"scale", {2, 2, 2}}},
+                                         {{"mesh", 0}, {"translation", {0, 1, 0}}},
+                                         {{"children", {1}}, {"translation", {1, 0, 0}}}},
+                                        {0}));
+    ASSERT_EQ(scene.instances.size(), 1u);
+    expect_near(apply(scene.instances[0].transform, {0, 0, 0}), {2, 2, 0});
+}
+
+TEST(GltfNodes, OneMeshManyInstances)
+{
+    const Scene scene =
+        load(with_nodes({{{"mesh", 0}}, {{"mesh", 0}, {"scale", {-1, 1, 1}}}, {{"mesh", 0}}}, {0, 1, 2}));
+    EXPECT_EQ(scene.meshes.size(), 1u);
+    ASSERT_EQ(scene.instances.size(), 3u);
+    EXPECT_EQ(scene.instances[1].transform[0][0], -1.0f) << "mirrored transforms are kept";
+    EXPECT_EQ(scene.instances[0].material, -1);
+    EXPECT_EQ(triangle_count(scene), 3u);
+}
+
+TEST(GltfNodes, TheDefaultSceneIsDrawnElseTheFirstElseAllRoots)
+{
+    GltfBuilder builder = with_nodes(
+        {{{"mesh", 0}}, {{"mesh", 0}, {"translation", {1, 0, 0}}}, {{"mesh", 0}, {"translation", {2, 0, 0}}}},
+        {1});
+    builder.document["scenes"].push_back({{"nodes", {2, 0}}});
+    const auto positions = [&] {
+        std::vector<float> x;
+        for (const Instance& instance : load(builder).instances)
+            x.push_back(instance.transform[3].x);
+        return x;
+    };
+    EXPECT_EQ(positions(), std::vector<float>{1});
+    builder.document["scene"] = 1;
+    EXPECT_EQ(positions(), (std::vector<float>{2, 0}));
+    builder.document["scene"] = 2;
+    EXPECT_EQ(refusal(builder), "test.gltf: scene 2 does not exist");
+    builder.document.erase("scene");
+    builder.document.erase("scenes");
+    EXPECT_EQ(positions(), (std::vector<float>{0, 1, 2}));
+    builder.document["scenes"] = {json::object()};
+    EXPECT_TRUE(positions().empty());
+}
+
+TEST(GltfNodes, ForestsOnly)
+{
+    EXPECT_EQ(refusal(with_nodes({{{"children", {5}}}}, {0})), "test.gltf: node 0: child 5 does not exist");
+    EXPECT_EQ(refusal(with_nodes({{{"children", {2}}}, {{"children", {2}}}, json::object()}, {0, 1})),
+              "test.gltf: node 2 has two parents, 0 and 1");
+    EXPECT_EQ(refusal(with_nodes({{{"children", {1, 1}}}, json::object()}, {0})),
+              "test.gltf: node 1 has two parents, 0 and 0");
+    EXPECT_EQ(refusal(with_nodes({{{"children", {0}}}}, {0})), "test.gltf: node 0 is its own ancestor");
+    const std::string cycle = refusal(with_nodes(
+        {json::object(), {{"children", {2}}}, {{"children", {3}}}, {{"children", {1, 4}}}, json::object()},
+        {0}));
+    EXPECT_TRUE(contains(cycle, "is its own ancestor"));
+    EXPECT_FALSE(contains(cycle, "node 0")) << cycle;
+    EXPECT_FALSE(contains(cycle, "node 4")) << cycle;
+    EXPECT_EQ(refusal(with_nodes({{{"children", {1}}}, json::object()}, {0, 1})),
+              "test.gltf: scene 0: node 1 is no root: node 0 is its parent");
+    EXPECT_EQ(refusal(with_nodes(json::array({json::object()}), {0, 0})),
+              "test.gltf: scene 0: node 0 is listed twice");
+    EXPECT_EQ(refusal(with_nodes(json::array({json::object()}), {3})),
+              "test.gltf: scene 0: node 3 does not exist");
+    EXPECT_EQ(refusal(with_nodes({{{"mesh", 3}}}, {0})), "test.gltf: node 0: mesh 3 does not exist");
+    EXPECT_EQ(refusal(with_nodes({{{"children", {-1}}}}, {0})),
+              "test.gltf: node 0: children is not a whole number from 0 to 2147483647");
+}
+
+TEST(GltfNodes, AChainOfFiftyThousandIsNoTrouble)
+{
+    json nodes = json::array();
+    for (int i = 1; i < 50000; ++i)
+        nodes.push_back({{"children", {i}}, {"translation", {1, 0, 0}}});
+    nodes.push_back({{"mesh", 0}});
+    const Scene scene = load(with_nodes(nodes, {0}));
+    EXPECT_EQ(scene.instances.at(0).transform[3].x, 49999.0f);
+}
+
+TEST(GltfNodes, TransformsAreChecked)
+{
+    EXPECT_EQ(refusal(with_nodes({{{"mesh", 0}, {"rotation", {0, 0, 0, 0}}}}, {0})),
+              "test.gltf: node 0: its rotation has no length");
+    EXPECT_EQ(refusal(with_nodes(
+                  {{{"mesh", 0}, {"matrix", {1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}}}, {0})),
+              "test.gltf: node 0: its matrix is not affine");
+    EXPECT_EQ(
+        refusal(with_nodes(
+            {{{"scale", {1e30, 1, 1}}, {"children", {1}}}, {{"mesh", 0}, {"scale", {1e30, 1, 1}}}}, {0})),
+        "test.gltf: node 1: its transform in the world is not finite");
+}
+
+TEST(GltfNodes, ARotationThatIsNotOfUnitLengthIsNormalised)
+{
+    Warnings warnings;
+    const Scene scene = load(with_nodes({{{"mesh", 0}, {"rotation", {0, 0, 3, 3}}}}, {0}), &warnings);
+    expect_near(apply(scene.instances.at(0).transform, {1, 0, 0}), {0, 1, 0});
+    EXPECT_EQ(warnings, Warnings{"test.gltf: 1 node rotations were not of unit length: normalised"});
+}
+
+TEST(GltfNodes, SingularInstancesAreLeftOutWithAWarning)
+{
+    Warnings warnings;
+    const Scene scene = load(
+        with_nodes({{{"mesh", 0}, {"scale", {0, 0, 0}}}, {{"mesh", 0}, {"scale", {1, 0, 1}}}, {{"mesh", 0}}},
+                   {0, 1, 2}),
+        &warnings);
+    EXPECT_EQ(scene.instances.size(), 1u);
+    EXPECT_EQ(warnings, Warnings{"test.gltf: 2 instances flattened by a singular transform: left out"});
+    // Small is not singular.
+    EXPECT_EQ(load(with_nodes({{{"mesh", 0}, {"scale", {1e-6, 1e-6, 1e-6}}}}, {0})).instances.size(), 1u);
+}
+
+GltfBuilder with_camera(const json& camera, const json& node)
+{
+    GltfBuilder builder = triangle();
+    builder.document["cameras"] = {camera};
+    json complete = node;
+    complete["camera"] = 0;
+    builder.add_node(complete);
+    return builder;
+}
+
+const json lens = {{"type", "perspective"}, {"perspective", {{"yfov", 0.8}, {"znear", 0.1}}}};
+
+TEST(GltfCameras, ScaleIsTakenOut)
+{
+    const double half = std::sqrt(0.5); // a quarter turn about +Y takes -Z to -X
+    json camera = lens;
+    camera["name"] = "lens";
+    const Scene scene = load(with_camera(
+        camera, {{"translation", {1, 2, 3}}, {"rotation", {0, half, 0, half}}, {"scale", {-2, 3, 0.5}}}));
+    ASSERT_EQ(scene.cameras.size(), 1u);
+    const Camera& c = scene.cameras[0];
+    EXPECT_EQ(c.name, "lens");
+    EXPECT_FLOAT_EQ(c.vertical_fov, 0.8f);
+    EXPECT_EQ(c.vertical_size, 0.0f);
+    expect_near(apply(c.transform, {0, 0, -1}), {0, 2, 3});
+    expect_near(apply(c.transform, {0, 1, 0}), {1, 3, 3});
+    expect_near(apply(c.transform, {1, 0, 0}), {1, 2, 2});
+}
+
+TEST(GltfCameras, OrthographicAndNamedByTheNode)
+{
+    const json camera = {{"type", "orthographic"},
+                         {"name", "lens"},
+                         {"orthographic", {{"xmag", 3}, {"ymag", 1.5}, {"znear", 0}, {"zfar", 10}}}};
+    const Scene scene = load(with_camera(camera, {{"name", "front"}}));
+    EXPECT_EQ(scene.cameras.at(0).name, "front");
+    EXPECT_EQ(scene.cameras[0].vertical_fov, 0.0f);
+    EXPECT_EQ(scene.cameras[0].vertical_size, 3.0f);
+}
+
+TEST(GltfCameras, ImpossibleOnesAreRefused)
+{
+    const auto broken = [](const json& camera) { return refusal(with_camera(camera, json::object())); };
+    json wide = lens;
+    wide["perspective"]["yfov"] = 3.2;
+    EXPECT_EQ(broken(wide), "test.gltf: camera 0: yfov 3.2 is not between 0 and pi");
+    wide["perspective"]["yfov"] = 0;
+    EXPECT_EQ(broken(wide), "test.gltf: camera 0: yfov 0 is not between 0 and pi");
+    EXPECT_EQ(broken({{"type", "orthographic"},
+                      {"orthographic", {{"xmag", 1}, {"ymag", 0}, {"znear", 0}, {"zfar", 1}}}}),
+              "test.gltf: camera 0: ymag 0 is no size");
+    EXPECT_NE(broken({{"type", "perspective"}}), "");
+    EXPECT_NE(broken({{"type", "fisheye"}}), "");
+    GltfBuilder missing = with_camera(lens, json::object());
+    missing.document["nodes"][1]["camera"] = 4;
+    EXPECT_EQ(refusal(missing), "test.gltf: camera 4 does not exist");
+    Warnings warnings;
+    EXPECT_TRUE(load(with_camera(lens, {{"scale", {1, 1, 0}}}), &warnings).cameras.empty());
+    EXPECT_TRUE(warned_once(warnings, "node 1: camera without direction left out"));
+}
+
+GltfBuilder with_light(const json& light, const json& node)
+{
+    GltfBuilder builder = triangle();
+    builder.document["extensions"]["KHR_lights_punctual"]["lights"] = {light};
+    json complete = node;
+    complete["extensions"]["KHR_lights_punctual"]["light"] = 0;
+    builder.add_node(complete);
+    return builder;
+}
+
+TEST(GltfLights, TheThreeKinds)
+{
+    const double half = std::sqrt(0.5); // a quarter turn about +X takes -Z to +Y
+    const json node = {{"translation", {1, 2, 3}}, {"rotation", {half, 0, 0, half}}, {"scale", {5, 5, 5}}};
+    const Light sun =
+        load(with_light({{"type", "directional"}, {"color", {1, 0.5, 0.25}}, {"intensity", 4}}, node))
+            .lights.at(0);
+    EXPECT_EQ(sun.kind, LightKind::directional);
+    EXPECT_EQ(sun.intensity, glm::vec3(4, 2, 1));
+    expect_near(sun.direction, {0, 1, 0});
+
+    const Light lamp = load(with_light({{"type", "point"}, {"range", 7}}, node)).lights.at(0);
+    EXPECT_EQ(lamp.kind, LightKind::point);
+    EXPECT_EQ(lamp.intensity, glm::vec3(1));
+    EXPECT_EQ(lamp.position, glm::vec3(1, 2, 3));
+    EXPECT_EQ(lamp.range, 7.0f);
+
+    const Light spot =
+        load(with_light({{"type", "spot"}, {"spot", {{"innerConeAngle", 0.25}, {"outerConeAngle", 0.5}}}},
+                        node))
+            .lights.at(0);
+    EXPECT_EQ(spot.kind, LightKind::spot);
+    EXPECT_EQ(spot.inner_cone, 0.25f);
+    EXPECT_EQ(spot.outer_cone, 0.5f);
+    EXPECT_EQ(spot.range, std::numeric_limits<float>::infinity());
+    expect_near(spot.direction, {0, 1, 0});
+
+    const Light plain_spot =
+        load(with_light({{"type", "spot"}, {"spot", json::object()}}, node)).lights.at(0);
+    EXPECT_EQ(plain_spot.inner_cone, 0.0f);
+    EXPECT_NEAR(plain_spot.outer_cone, std::numbers::pi / 4, 1e-6);
+}
+
+TEST(GltfLights, ImpossibleOnesAreRefused)
+{
+    const auto broken = [](const json& light) { return refusal(with_light(light, json::object())); };
+    EXPECT_EQ(broken({{"type", "spot"}, {"spot", {{"innerConeAngle", 0.6}, {"outerConeAngle", 0.5}}}}),
+              "test.gltf: light 0: cone angles 0.6 and 0.5 are not 0 <= inner <= outer <= pi/2");
+    EXPECT_NE(broken({{"type", "spot"}, {"spot", {{"outerConeAngle", 2}}}}), "");
+    EXPECT_EQ(broken({{"type", "area"}}), "test.gltf: light 0: type \"area\" is not known");
+    EXPECT_EQ(broken({{"type", "point"}, {"intensity", -1}}),
+              "test.gltf: light 0: its intensity times colour is negative or too large");
+    EXPECT_EQ(broken({{"type", "point"}, {"color", {1, 1}}}),
+              "test.gltf: extensions, KHR_lights_punctual, light 0: color has 2 numbers, not 3");
+    EXPECT_EQ(broken({{"type", "point"}, {"range", -1}}), "test.gltf: light 0: range -1 is negative");
+    GltfBuilder missing = with_light({{"type", "point"}}, json::object());
+    missing.document["nodes"][1]["extensions"]["KHR_lights_punctual"]["light"] = 9;
+    EXPECT_EQ(refusal(missing), "test.gltf: light 9 does not exist");
+    // A node that is not drawn carries no light.
+    GltfBuilder dark = with_light({{"type", "point"}}, json::object());
+    dark.document["scenes"][0]["nodes"] = {0};
+    EXPECT_TRUE(load(dark).lights.empty());
+}
+
+} // namespace
+} // namespace lambent::scene::test
