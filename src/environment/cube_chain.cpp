@@ -1,5 +1,6 @@
 #include "environment/cube_chain.h"
 
+#include <new>
 #include <numbers>
 
 namespace lambent::environment {
@@ -8,10 +9,10 @@ void CubeChain::allocate(int log2_face_size, int level_count)
 {
     log2_size = log2_face_size;
     levels = level_count;
-    const std::size_t pitch = static_cast<std::size_t>(face_size(0)) + 2;
-    const std::size_t texels = level_start(log2_size) + 6 * pitch * pitch;
-    // A pair of texels is read as eight halfs, the last two of which may lie behind the last texel.
-    halfs.assign(3 * texels + 8, 0);
+    // Memory from calloc is given only where it is written to.
+    halfs_.reset(static_cast<std::uint16_t*>(std::calloc(3 * end() + 8, sizeof(std::uint16_t))));
+    if (!halfs_)
+        throw std::bad_alloc();
 }
 
 float level_one_deviation(const CubeChain& chain)

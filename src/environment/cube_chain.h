@@ -3,39 +3,46 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
+#include <cstdlib>
+#include <memory>
 
 namespace lambent::environment {
 
-/// Six square faces per level, each with a border of one texel that repeats its neighbours, as half-float RGB.
-/// Level l has faces of n = face_size >> l texels and starts at texel 2 n^2 + 24 n + 24 log2(n) - 26: the levels lie
-/// coarse to fine without gaps. Faces +X -X +Y -Y +Z -Z as in equations/sphere_maps.glsl.
-struct CubeChain {
+/// Six square faces per level, each with a border of one texel that repeats its neighbours, as half-float RGB. Faces
+/// +X -X +Y -Y +Z -Z as in equations/sphere_maps.glsl. A level of faces of n texels starts at texel 8 n^2, which one
+/// shift finds; the gaps between levels are never touched and so take no memory.
+class CubeChain {
+public:
     int log2_size = 0;  ///< of a face at level 0
     int levels = 0;     ///< the coarsest has faces of 1 << (log2_size - levels + 1) texels
     float scale = 1.0f; ///< radiance = half * scale; a power of two that keeps suns below 65504
-    std::vector<std::uint16_t>
-        halfs; ///< 3 per texel, and a few more so that a pair of texels may be read as 8
+
+    /// Makes room for `level_count` levels, all texels 0. The coarsest must have faces of 2 texels or more, unless it is
+    /// the only one. Throws std::bad_alloc.
+    void allocate(int log2_face_size, int level_count);
 
     int face_size(int level) const { return 1 << (log2_size - level); }
 
-    /// Index of texel (0, 0) of a face at a level; (x, y) from -1 to face_size inclusive is at + y * pitch + x.
+    /// Three halfs per texel, and a few more so that a pair of texels may be read as eight.
+    std::uint16_t* halfs() { return halfs_.get(); }
+    const std::uint16_t* halfs() const { return halfs_.get(); }
+
+    /// Index of texel (x, y) of a face at a level, each coordinate from -1 to face_size inclusive.
     std::size_t texel(int level, int face, int x, int y) const
     {
-        const std::size_t pitch = static_cast<std::size_t>(face_size(level)) + 2;
+        const std::size_t n = static_cast<std::size_t>(face_size(level)), pitch = n + 2;
         const std::size_t row = static_cast<std::size_t>(face) * pitch + static_cast<std::size_t>(y + 1);
-        return level_start(log2_size - level) + row * pitch + static_cast<std::size_t>(x + 1);
+        return 8 * n * n + row * pitch + static_cast<std::size_t>(x + 1);
     }
 
-    /// First texel of the level whose faces have 2^log2_n texels a side.
-    static std::size_t level_start(int log2_n)
-    {
-        const std::size_t n = std::size_t{1} << log2_n;
-        return 2 * n * n + 24 * n + 24 * static_cast<std::size_t>(log2_n) - 26;
-    }
+    /// One past the last texel.
+    std::size_t end() const { return texel(0, 5, face_size(0), face_size(0)) + 1; }
 
-    /// Makes room for `levels` levels, all texels 0.
-    void allocate(int log2_face_size, int level_count);
+private:
+    struct Free {
+        void operator()(void* p) const { std::free(p); }
+    };
+    std::unique_ptr<std::uint16_t[], Free> halfs_;
 };
 
 /// Angular standard deviation of the blur of level 1, in radians; level l has 2^(l-1) times that, level 0 a quarter.

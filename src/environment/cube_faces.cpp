@@ -22,7 +22,7 @@ Rgb inner_lookup(const CubeChain& chain, int level, const FacePosition& p)
     const double fx = x - x0, fy = y - y0;
     const auto channel = [&](std::size_t c) {
         const auto at = [&](int i, int j) {
-            return static_cast<double>(from_half(chain.halfs[3 * chain.texel(level, p.face, i, j) + c]));
+            return static_cast<double>(from_half(chain.halfs()[3 * chain.texel(level, p.face, i, j) + c]));
         };
         return static_cast<float>((at(x0, y0) * (1 - fx) + at(x1, y0) * fx) * (1 - fy) +
                                   (at(x0, y1) * (1 - fx) + at(x1, y1) * fx) * fy);
@@ -35,7 +35,7 @@ void fill_border_texel(CubeChain& chain, int level, int face, int x, int y)
     const int size = chain.face_size(level);
     const double s = (2.0 * x + 1.0) / size - 1.0, t = (2.0 * y + 1.0) / size - 1.0;
     const Rgb c = inner_lookup(chain, level, cube_position(cube_direction(face, s, t)));
-    std::uint16_t* out = chain.halfs.data() + 3 * chain.texel(level, face, x, y);
+    std::uint16_t* out = chain.halfs() + 3 * chain.texel(level, face, x, y);
     out[0] = to_half(c.r);
     out[1] = to_half(c.g);
     out[2] = to_half(c.b);

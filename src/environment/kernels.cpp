@@ -18,7 +18,7 @@ namespace {
 
 CubeView view(const CubeChain& chain)
 {
-    return {chain.halfs.data(), chain.log2_size, chain.levels};
+    return {chain.halfs(), chain.log2_size, chain.levels};
 }
 
 // Cuts what a half cannot hold and stores the first `count` lanes as texels.
@@ -86,7 +86,7 @@ HWY_FLATTEN void resample_row(const ResampleRow& row, CubeChain& chain)
     const int size = chain.face_size(0);
     const float step = 1.0f / static_cast<float>(row.samples);
     const Real weight = p.scale / chain.scale * step * step;
-    uint16_t* out = chain.halfs.data() + 3 * chain.texel(0, row.face, 0, row.y);
+    uint16_t* out = chain.halfs() + 3 * chain.texel(0, row.face, 0, row.y);
     for (int x = 0; x < size; x += static_cast<int>(lane_count)) {
         vec3 sum(0.0);
         for (int j = 0; j < row.samples; ++j) {
@@ -110,7 +110,7 @@ HWY_FLATTEN void blur_row(const BlurRow& row, CubeChain& chain)
     const GaussianTaps& taps = *row.taps;
     const Real weight = 1.0f / static_cast<float>(taps.x.size());
     const Real t = (static_cast<float>(row.y) + 0.5f) * 2.0f / static_cast<float>(size) - 1.0f;
-    uint16_t* out = chain.halfs.data() + 3 * chain.texel(row.level, row.face, 0, row.y);
+    uint16_t* out = chain.halfs() + 3 * chain.texel(row.level, row.face, 0, row.y);
     for (int x = 0; x < size; x += static_cast<int>(lane_count)) {
         const vec3 d = normalize(direction_from_cube(row.face, face_coordinate(x, 0.5f, size), t));
         const mat3 frame = orthonormal_frame(d);
@@ -125,7 +125,7 @@ HWY_FLATTEN void irradiance_row(const LightCells& cells, int face, int y, CubeCh
 {
     const int size = map.face_size(0);
     const Real t = (static_cast<float>(y) + 0.5f) * 2.0f / static_cast<float>(size) - 1.0f;
-    uint16_t* out = map.halfs.data() + 3 * map.texel(0, face, 0, y);
+    uint16_t* out = map.halfs() + 3 * map.texel(0, face, 0, y);
     for (int x = 0; x < size; x += static_cast<int>(lane_count)) {
         const vec3 n = normalize(direction_from_cube(face, face_coordinate(x, 0.5f, size), t));
         Real sums[3] = {0.0, 0.0, 0.0};

@@ -173,7 +173,7 @@ void add_gaussians(const std::vector<Peak>& peaks, float deviation, int level, C
             total += weight * cube_texel_solid_angle(size, x, y);
         });
         for_each_reached(peak, deviation, size, [&](int face, int x, int y, double weight) {
-            std::uint16_t* texel = chain.halfs.data() + 3 * chain.texel(level, face, x, y);
+            std::uint16_t* texel = chain.halfs() + 3 * chain.texel(level, face, x, y);
             const float share = static_cast<float>(weight / total) / chain.scale;
             for (int k = 0; k < 3; ++k)
                 texel[k] = to_half(from_half(texel[k]) + peak.light[k] * share);

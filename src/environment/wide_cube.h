@@ -1,8 +1,9 @@
 // Looking up a CubeChain with lanes of directions. Included after wide/wide.h, inside the target's namespace: no guard.
 //
-// No gather: on most processors a gather costs one load a lane anyway, and reads one texel with it. Here each lane
-// loads two neighbouring texels at once (six halfs of eight) and weighs them as one vector; the lanes' results are
-// turned back into lanes at the end. 0.6 to 0.8 of the time of gathers of packed texels (bench/specular_pass).
+// No gather: on most processors a gather costs one load a lane anyway, and reads one texel with it. Here the lanes'
+// addresses and fractions are written to a queue of a few samples; then each lane goes through its samples, loads two
+// neighbouring texels at a time (six halfs of eight), filters them as one vector and keeps its sums in registers.
+// 0.7 of the time of gathers of packed texels (bench/specular).
 
 // What the lookups need of a CubeChain, without std::.
 struct CubeView {
@@ -11,10 +12,9 @@ struct CubeView {
     int levels;
 };
 
-// Face index, and position on the face in [0, 1]. [Vulkan 1.3, "Cube Map Face Selection"]
+// Where a direction meets the cube: the face, and the place on it in [-1, 1]. [Vulkan 1.3, "Cube Map Face Selection"]
 struct FacePoint {
-    Real s, t;
-    Int face;
+    Real face, s, t;
 };
 
 HWY_INLINE FacePoint face_point(vec3 d)
@@ -22,17 +22,13 @@ HWY_INLINE FacePoint face_point(vec3 d)
     const Real ax = abs(d.x), ay = abs(d.y), az = abs(d.z);
     const Mask x_major = ax >= ay && ax >= az;
     const Mask y_major = !x_major && ay >= az;
-    const Real major = select(x_major, ax, select(y_major, ay, az));
-    const Real scale = 0.5 * reciprocal(max(major, 1.0e-30));
-    const Real s =
-        select(x_major, select(d.x < 0.0, d.z, -d.z), select(y_major, d.x, select(d.z < 0.0, -d.x, d.x)));
-    const Real t = select(y_major, select(d.y < 0.0, -d.z, d.z), -d.y);
     const Real axis = select(x_major, d.x, select(y_major, d.y, d.z));
-    const Int pair =
-        hn::IfThenElse(hn::RebindMask(IntTag(), x_major.m), integer(0),
-                       hn::IfThenElse(hn::RebindMask(IntTag(), y_major.m), integer(2), integer(4)));
-    // The sign bit, shifted over the whole lane, is -1 for the negative face of the pair.
-    return {s * scale + 0.5, t * scale + 0.5, hn::Sub(pair, hn::BroadcastSignBit(bits(axis)))};
+    // Divided by the signed axis, the coordinates that turn round with it get their sign.
+    const Real turned = reciprocal(select(abs(axis) > 1.0e-30, axis, 1.0e-30)), straight = abs(turned);
+    const Real s = select(x_major, -d.z, d.x) * select(y_major, straight, turned);
+    const Real t = select(y_major, d.z, -d.y) * select(y_major, turned, straight);
+    const Real first = select(x_major, 0.0, select(y_major, 2.0, 4.0));
+    return {select(axis < 0.0, first + 1.0, first), s, t};
 }
 
 // Two texels side by side, or sums of such: r g b r g b and two lanes of rubbish.
@@ -50,37 +46,88 @@ HWY_INLINE TexelPair load_pair(const uint16_t* halfs)
         hn::PromoteTo(PairTag(), hn::LoadU(PairHalfTag(), reinterpret_cast<const hwy::float16_t*>(halfs)))};
 }
 
-// The weights (w00 w01 w10 w11) of a bilinear filter, spread over the texels of its upper and lower pair.
-struct PairWeights {
-    hn::Vec<PairTag> upper, lower;
+HWY_INLINE TexelPair load_pair(const float* eight)
+{
+    return {hn::Load(PairTag(), eight)};
+}
+HWY_INLINE void store_pair(TexelPair a, float* eight)
+{
+    hn::Store(a.v, PairTag(), eight);
+}
+
+// a + f (b - a)
+HWY_INLINE TexelPair between(TexelPair a, TexelPair b, float f)
+{
+    return {hn::MulAdd(hn::Sub(b.v, a.v), hn::Set(PairTag(), f), a.v)};
+}
+
+// The left texel times 1 - f, the right one times f.
+HWY_INLINE TexelPair shared(TexelPair a, float f)
+{
+    alignas(32) static constexpr float at_0[8] = {1, 1, 1, 0, 0, 0, 0, 0};
+    alignas(32) static constexpr float rise[8] = {-1, -1, -1, 1, 1, 1, 0, 0};
+    const PairTag d;
+    return {hn::Mul(a.v, hn::MulAdd(hn::Load(d, rise), hn::Set(d, f), hn::Load(d, at_0)))};
+}
+
+HWY_INLINE TexelPair plus(TexelPair sum, TexelPair a, float weight)
+{
+    return {hn::MulAdd(a.v, hn::Set(PairTag(), weight), sum.v)};
+}
+#elif HWY_TARGET != HWY_SCALAR
+using QuadTag = hn::FixedTag<float, 4>;
+
+// Lanes r g b r and g b and two of rubbish.
+struct TexelPair {
+    hn::Vec<QuadTag> low, high;
 };
 
-HWY_INLINE PairWeights load_weights(const float* four)
+// Four halfs that are not negative: moved to a float's mantissa and exponent they are short of 2^112, which is exact
+// for subnormals too.
+HWY_INLINE hn::Vec<QuadTag> load_quad(const uint16_t* halfs)
 {
-    alignas(32) static constexpr int32_t upper[8] = {0, 0, 0, 1, 1, 1, 1, 1};
-    alignas(32) static constexpr int32_t lower[8] = {2, 2, 2, 3, 3, 3, 3, 3};
-    const auto w = hn::LoadDup128(PairTag(), four);
-    return {hn::TableLookupLanes(w, hn::SetTableIndices(PairTag(), upper)),
-            hn::TableLookupLanes(w, hn::SetTableIndices(PairTag(), lower))};
+    const hn::FixedTag<uint16_t, 4> d16;
+    const hn::FixedTag<uint32_t, 4> d32;
+    const auto moved = hn::ShiftLeft<13>(hn::PromoteTo(d32, hn::LoadU(d16, halfs)));
+    return hn::Mul(hn::BitCast(QuadTag(), moved), hn::Set(QuadTag(), 0x1p112f));
 }
 
-HWY_INLINE TexelPair filtered(TexelPair upper, TexelPair lower, PairWeights w)
+HWY_INLINE TexelPair load_pair(const uint16_t* halfs)
 {
-    return {hn::MulAdd(lower.v, w.lower, hn::Mul(upper.v, w.upper))};
+    return {load_quad(halfs), load_quad(halfs + 4)};
 }
 
-HWY_INLINE TexelPair operator+(TexelPair a, TexelPair b)
+HWY_INLINE TexelPair load_pair(const float* eight)
 {
-    return {hn::Add(a.v, b.v)};
+    return {hn::Load(QuadTag(), eight), hn::Load(QuadTag(), eight + 4)};
 }
 
-// Left and right texel added, to four floats of which the first three are RGB.
-HWY_INLINE void store_folded(TexelPair a, float* four)
+HWY_INLINE void store_pair(TexelPair a, float* eight)
 {
-    alignas(32) static constexpr int32_t right[8] = {3, 4, 5, 6, 0, 0, 0, 0};
-    const hn::FixedTag<float, 4> d4;
-    const auto moved = hn::TableLookupLanes(a.v, hn::SetTableIndices(PairTag(), right));
-    hn::Store(hn::Add(hn::LowerHalf(d4, a.v), hn::LowerHalf(d4, moved)), d4, four);
+    hn::Store(a.low, QuadTag(), eight);
+    hn::Store(a.high, QuadTag(), eight + 4);
+}
+
+HWY_INLINE TexelPair between(TexelPair a, TexelPair b, float f)
+{
+    const auto fraction = hn::Set(QuadTag(), f);
+    return {hn::MulAdd(hn::Sub(b.low, a.low), fraction, a.low),
+            hn::MulAdd(hn::Sub(b.high, a.high), fraction, a.high)};
+}
+
+HWY_INLINE TexelPair shared(TexelPair a, float f)
+{
+    alignas(16) static constexpr float at_0[4] = {1, 1, 1, 0}, rise[4] = {-1, -1, -1, 1};
+    const QuadTag d;
+    const auto fraction = hn::Set(d, f);
+    return {hn::Mul(a.low, hn::MulAdd(hn::Load(d, rise), fraction, hn::Load(d, at_0))),
+            hn::Mul(a.high, fraction)};
+}
+
+HWY_INLINE TexelPair plus(TexelPair sum, TexelPair a, float weight)
+{
+    const auto w = hn::Set(QuadTag(), weight);
+    return {hn::MulAdd(a.low, w, sum.low), hn::MulAdd(a.high, w, sum.high)};
 }
 #else
 struct TexelPair {
@@ -89,7 +136,6 @@ struct TexelPair {
 
 HWY_INLINE TexelPair load_pair(const uint16_t* halfs)
 {
-    // A half that is not negative, moved to a float's mantissa and exponent, is short of 2^112: exact for subnormals too.
     TexelPair pair;
     for (int i = 0; i < 8; ++i) {
         const uint32_t moved = static_cast<uint32_t>(halfs[i]) << 13;
@@ -99,78 +145,88 @@ HWY_INLINE TexelPair load_pair(const uint16_t* halfs)
     return pair;
 }
 
-struct PairWeights {
-    const float* four;
-};
-
-HWY_INLINE PairWeights load_weights(const float* four)
+HWY_INLINE TexelPair load_pair(const float* eight)
 {
-    return {four};
+    TexelPair pair;
+    memcpy(pair.v, eight, sizeof pair.v);
+    return pair;
 }
 
-HWY_INLINE TexelPair filtered(TexelPair upper, TexelPair lower, PairWeights w)
+HWY_INLINE void store_pair(TexelPair a, float* eight)
 {
-    TexelPair sum;
-    for (int i = 0; i < 8; ++i)
-        sum.v[i] = upper.v[i] * w.four[i < 3 ? 0 : 1] + lower.v[i] * w.four[i < 3 ? 2 : 3];
-    return sum;
+    memcpy(eight, a.v, sizeof a.v);
 }
 
-HWY_INLINE TexelPair operator+(TexelPair a, TexelPair b)
+HWY_INLINE TexelPair between(TexelPair a, TexelPair b, float f)
 {
     for (int i = 0; i < 8; ++i)
-        a.v[i] += b.v[i];
+        a.v[i] += f * (b.v[i] - a.v[i]);
     return a;
 }
 
-HWY_INLINE void store_folded(TexelPair a, float* four)
+HWY_INLINE TexelPair shared(TexelPair a, float f)
 {
-    for (int i = 0; i < 4; ++i)
-        four[i] = a.v[i] + a.v[i + 3];
+    for (int i = 0; i < 8; ++i)
+        a.v[i] *= i < 3 ? 1.0f - f : f;
+    return a;
+}
+
+HWY_INLINE TexelPair plus(TexelPair sum, TexelPair a, float weight)
+{
+    for (int i = 0; i < 8; ++i)
+        sum.v[i] += weight * a.v[i];
+    return sum;
 }
 #endif
 
-// Where the lanes' four texels are at one level, in halfs from the start, and how much each weighs.
+// The lanes' texels at one level: where the upper and the lower pair start, in halfs, and the fractions between them.
 struct LevelTaps {
     alignas(64) int32_t upper[max_lanes];
     alignas(64) int32_t lower[max_lanes];
-    alignas(64) float weights[4 * max_lanes];
+    alignas(64) float right[max_lanes];
+    alignas(64) float below[max_lanes];
 };
 
-// The faces at a level: size in texels and first texel.
+// A level as the addresses need it. The chain's layout: CubeChain::texel.
 struct LevelShape {
-    Int size, start;
+    Real half_size;    // of a face, in texels
+    Int start, pitch3; // texels to the first, halfs from row to row
 };
 
 HWY_INLINE LevelShape level_shape(CubeView cube, Int level)
 {
-    const Int size = hn::Shr(integer(1 << cube.log2_size), level);
-    const Int two_squares = hn::Shr(integer(2 << (2 * cube.log2_size)), hn::Add(level, level));
-    const Int log2_n = hn::Sub(integer(cube.log2_size), level);
-    const Int twenty_four = hn::Mul(integer(24), hn::Add(size, log2_n));
-    return {size, hn::Add(two_squares, hn::Sub(twenty_four, integer(26)))};
+    const Int exponent = hn::Sub(integer(126 + cube.log2_size), level);
+    const Int start = hn::Shr(integer(8 << (2 * cube.log2_size)), hn::Add(level, level));
+    const Int pitch3 = hn::Add(hn::Shr(integer(3 << cube.log2_size), level), integer(6));
+    return {from_bits(hn::ShiftLeft<23>(exponent)), start, pitch3};
 }
 
-HWY_INLINE void place_taps(LevelShape shape, FacePoint p, Real weight, LevelTaps& taps)
+HWY_INLINE LevelShape next_level(LevelShape l)
 {
-    const Real size = to_real(shape.size);
-    const Real x = p.s * size + 0.5, y = p.t * size + 0.5; // + 0.5: half a texel back, one for the border
+    return {0.5 * l.half_size, hn::ShiftRight<2>(l.start), hn::Add(hn::ShiftRight<1>(l.pitch3), integer(3))};
+}
+
+HWY_INLINE void place_taps(LevelShape level, FacePoint p, LevelTaps& taps)
+{
+    // Texel centres lie half a texel in; the border adds one.
+    const Real middle = level.half_size + 0.5;
+    const Real x = p.s * level.half_size + middle, y = p.t * level.half_size + middle;
     const Real x0 = floor(x), y0 = floor(y);
-    const Int pitch = hn::Add(shape.size, integer(2));
-    const Int row = hn::Add(hn::Mul(p.face, pitch), truncated(y0));
-    const Int texel = hn::Add(shape.start, hn::Add(hn::Mul(row, pitch), truncated(x0)));
+    // Below 2^24 floats count exactly.
+    const Real pitch = 2.0 * level.half_size + 2.0;
+    const Int in_level = truncated((p.face * pitch + y0) * pitch + x0);
+    const Int texel = hn::Add(level.start, in_level);
     const Int half = hn::Add(texel, hn::Add(texel, texel));
     hn::Store(half, IntTag(), taps.upper);
-    hn::Store(hn::Add(half, hn::Add(pitch, hn::Add(pitch, pitch))), IntTag(), taps.lower);
-    const Real right = x - x0, below = weight * (y - y0), above = weight - below;
-    const Real w01 = above * right, w11 = below * right;
-    hn::StoreInterleaved4((above - w01).v, w01.v, (below - w11).v, w11.v, FloatTag(), taps.weights);
+    hn::Store(hn::Add(half, level.pitch3), IntTag(), taps.lower);
+    hn::Store((x - x0).v, FloatTag(), taps.right);
+    hn::Store((y - y0).v, FloatTag(), taps.below);
 }
 
-HWY_INLINE TexelPair fetch(const uint16_t* halfs, const LevelTaps& taps, size_t lane)
+HWY_INLINE TexelPair filtered(const uint16_t* halfs, const LevelTaps& taps, size_t lane)
 {
-    return filtered(load_pair(halfs + taps.upper[lane]), load_pair(halfs + taps.lower[lane]),
-                    load_weights(taps.weights + 4 * lane));
+    const TexelPair upper = load_pair(halfs + taps.upper[lane]), lower = load_pair(halfs + taps.lower[lane]);
+    return shared(between(upper, lower, taps.below[lane]), taps.right[lane]);
 }
 
 HWY_INLINE vec3 load_rgbx(const float* four_per_lane)
@@ -180,30 +236,98 @@ HWY_INLINE vec3 load_rgbx(const float* four_per_lane)
     return {r, g, b};
 }
 
-// Half-float RGB (radiance over the chain's scale) from direction d, any length, at a whole level.
-HWY_INLINE vec3 cube_bilinear(CubeView cube, vec3 d, Int level)
+// Lanes of sums of pairs, as lanes of RGB: the two texels added up.
+HWY_INLINE vec3 load_sums(const float (*eight)[8])
 {
-    LevelTaps taps;
-    place_taps(level_shape(cube, level), face_point(d), 1.0, taps);
     alignas(64) float rgbx[4 * max_lanes];
     for (size_t lane = 0; lane < lane_count; ++lane)
-        store_folded(fetch(cube.halfs, taps, lane), rgbx + 4 * lane);
+        for (size_t c = 0; c < 4; ++c)
+            rgbx[4 * lane + c] = eight[lane][c] + eight[lane][c + 3];
     return load_rgbx(rgbx);
 }
 
-// The same between two levels, as GLSL's textureLod; level is clamped to the chain.
+// Samples of the chain between levels, added up with two weights each.
+class CubeSums {
+public:
+    explicit HWY_INLINE CubeSums(CubeView cube) : cube_(cube) { clear(); }
+
+    HWY_INLINE void clear() { memset(sums_, 0, sizeof sums_); }
+
+    // From direction d, any length, as GLSL's textureLod; level is clamped to the chain.
+    HWY_INLINE void add(vec3 d, Real level, Real first_weight, Real second_weight)
+    {
+        Sample& s = queue_[queued_];
+        const Real clamped = min(level, cube_.levels - 1);
+        const Real fine = min(floor(clamped), cube_.levels - 2);
+        const FacePoint p = face_point(d);
+        const LevelShape shape = level_shape(cube_, truncated(fine));
+        place_taps(shape, p, s.fine);
+        place_taps(next_level(shape), p, s.coarse);
+        hn::Store((clamped - fine).v, FloatTag(), s.fraction);
+        hn::Store(first_weight.v, FloatTag(), s.weight[0]);
+        hn::Store(second_weight.v, FloatTag(), s.weight[1]);
+        if (++queued_ == queue_length)
+            flush();
+    }
+
+    // The sums, as halfs: radiance over the chain's scale.
+    HWY_INLINE vec3 first() { return sum(0); }
+    HWY_INLINE vec3 second() { return sum(1); }
+
+private:
+    static constexpr int queue_length = 4; // longer ones fall out of the innermost cache
+
+    struct Sample {
+        LevelTaps fine, coarse;
+        alignas(64) float fraction[max_lanes];
+        alignas(64) float weight[2][max_lanes];
+    };
+
+    HWY_INLINE void flush()
+    {
+        for (size_t lane = 0; lane < lane_count; ++lane) {
+            TexelPair a = load_pair(sums_[0][lane]), b = load_pair(sums_[1][lane]);
+            for (int i = 0; i < queued_; ++i) {
+                const Sample& s = queue_[i];
+                const TexelPair light = between(filtered(cube_.halfs, s.fine, lane),
+                                                filtered(cube_.halfs, s.coarse, lane), s.fraction[lane]);
+                a = plus(a, light, s.weight[0][lane]);
+                b = plus(b, light, s.weight[1][lane]);
+            }
+            store_pair(a, sums_[0][lane]);
+            store_pair(b, sums_[1][lane]);
+        }
+        queued_ = 0;
+    }
+
+    HWY_INLINE vec3 sum(int which)
+    {
+        if (queued_ > 0)
+            flush();
+        return load_sums(sums_[which]);
+    }
+
+    CubeView cube_;
+    int queued_ = 0;
+    Sample queue_[queue_length];
+    alignas(64) float sums_[2][max_lanes][8];
+};
+
+// One sample, RGB over the chain's scale, between levels.
 HWY_INLINE vec3 cube_trilinear(CubeView cube, vec3 d, Real level)
 {
-    const FacePoint p = face_point(d);
-    const Real clamped = min(level, cube.levels - 1);
-    const Real fine = min(floor(clamped), cube.levels - 2);
-    const Real fraction = clamped - fine;
-    const Int fine_level = truncated(fine);
-    LevelTaps taps[2];
-    place_taps(level_shape(cube, fine_level), p, 1.0 - fraction, taps[0]);
-    place_taps(level_shape(cube, hn::Add(fine_level, integer(1))), p, fraction, taps[1]);
-    alignas(64) float rgbx[4 * max_lanes];
+    CubeSums sums(cube);
+    sums.add(d, level, 1.0, 0.0);
+    return sums.first();
+}
+
+// One sample at a whole level.
+HWY_INLINE vec3 cube_bilinear(CubeView cube, vec3 d, Int level)
+{
+    LevelTaps taps;
+    place_taps(level_shape(cube, level), face_point(d), taps);
+    alignas(64) float sums[max_lanes][8];
     for (size_t lane = 0; lane < lane_count; ++lane)
-        store_folded(fetch(cube.halfs, taps[0], lane) + fetch(cube.halfs, taps[1], lane), rgbx + 4 * lane);
-    return load_rgbx(rgbx);
+        store_pair(filtered(cube.halfs, taps, lane), sums[lane]);
+    return load_sums(sums);
 }

@@ -8,8 +8,8 @@
 Real level_of_variance(Real variance)
 {
     Real below = (variance - 0.0625) * 1.0666666666666667;
-    Real octave = floor(0.5 * floor_log2(max(variance, 1.0)));
-    Real above = 1.0 + octave + (variance * power_of_two(-2.0 * octave) - 1.0) * 0.3333333333333333;
+    PowersOfFour p = powers_of_four(max(variance, 1.0));
+    Real above = p.exponent + (p.mantissa * 0.3333333333333333 + 0.6666666666666667);
     return max(select(variance < 1.0, below, above), 0.0);
 }
 

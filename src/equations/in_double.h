@@ -17,8 +17,17 @@ using std::abs, std::acos, std::cos, std::exp2, std::floor, std::log2, std::max,
 
 inline Real atan(Real y, Real x) { return std::atan2(y, x); }
 inline Real inversesqrt(Real a) { return 1.0 / sqrt(a); }
-inline Real floor_log2(Real a) { return floor(log2(a)); }
-inline Real power_of_two(Real integer) { return exp2(integer); }
+// A number as mantissa * 4^exponent, mantissa in [1, 4).
+struct PowersOfFour {
+    Real mantissa, exponent;
+};
+
+inline PowersOfFour powers_of_four(Real a)
+{
+    const Real exponent = floor(0.5 * log2(a));
+    return {a * exp2(-2.0 * exponent), exponent};
+}
+
 inline Real select(Mask m, Real yes, Real no) { return m ? yes : no; }
 
 #include "equations/vectors.h"

@@ -35,8 +35,7 @@ LobeLight specular_ggx(Environment environment, Mirror m)
     Real lobe_variance = variance_of_spread(spread_ggx(NV, m.alpha)) * per_sample;
     Real pixel_variance = variance_of_spread(sqrt(dot(area, area))) * per_sample;
     Real SV = smith_ggx(NV, m.alpha);
-    vec3 plain = vec3(0.0);
-    vec3 grazing = vec3(0.0);
+    LightSum sum = no_light(environment);
     Real plain_weight = 0.0;
     Real grazing_weight = 0.0;
     for (int i = 0; i < sample_count(environment); ++i) {
@@ -53,12 +52,11 @@ LobeLight specular_ggx(Environment environment, Mirror m)
         vec2 place = pixel_point(environment, i);
         vec3 d = frame * L + place.x * m.mirrored_dx + place.y * m.mirrored_dy;
         Real level = level_of_variance(lobe_variance * facet.spread + pixel_variance);
-        vec3 radiance = environment_radiance(environment, d, level);
-        plain += weight_plain * radiance;
-        grazing += weight_grazing * radiance;
+        sum = with_light(environment, sum, d, level, vec2(weight_plain, weight_grazing));
         plain_weight += weight_plain;
         grazing_weight += weight_grazing;
     }
-    LobeLight light = {plain / max(plain_weight, 1.0e-20), grazing / max(grazing_weight, 1.0e-20)};
+    LobeLight light = {first_light(environment, sum) / max(plain_weight, 1.0e-20),
+                       second_light(environment, sum) / max(grazing_weight, 1.0e-20)};
     return light;
 }

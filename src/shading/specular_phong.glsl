@@ -1,10 +1,10 @@
 // The report's specular pass. Hooks: see README.md.
 
-// One of the report's samples: its direction about the mirrored view and what it weighs,
-// F / (4 (w.H)^2) max(N.w, 0), for each colour channel.
+// One of the report's samples: its direction about the mirrored view, and what it weighs, F / (4 (w.H)^2) max(N.w, 0),
+// in two parts: F = Ks * (1 - (1 - VH)^5) + (1 - VH)^5.
 struct PhongSample {
     vec3 direction;
-    vec3 weight;
+    vec2 weights;
     Real NH;
 };
 
@@ -15,8 +15,9 @@ PhongSample phong_sample(Phong p, mat3 lobe, vec3 N, vec3 V, vec3 point)
     Real inverse = inversesqrt(max(dot(sum, sum), 2.0e-6));
     Real VH = min(dot(V, sum) * inverse, 1.0);
     Real NL = max(dot(N, L), 0.0);
-    PhongSample s = {L, (NL * masking_phong(VH)) * fresnel_schlick(p.specular, VH),
-                     clamp(dot(N, sum) * inverse, 1.0e-4, 1.0)};
+    Real weight = NL * masking_phong(VH);
+    Real grazing = weight * schlick_weight(VH);
+    PhongSample s = {L, vec2(weight - grazing, grazing), clamp(dot(N, sum) * inverse, 1.0e-4, 1.0)};
     return s;
 }
 
@@ -27,15 +28,16 @@ vec3 specular_phong(Environment environment, Phong p, vec3 N, vec3 V, vec3 acros
 {
     mat3 lobe = carried_frame(mirrored(N, V), V, across);
     Real per_sample = 1.0 / (Real(sample_count(environment)) * level_one_variance(environment));
-    vec3 total = vec3(0.0);
+    LightSum sum = no_light(environment);
     for (int i = 0; i < sample_count(environment); ++i) {
         vec3 point = lobe_point(environment, i);
         PhongSample s = phong_sample(p, lobe, N, V, point);
         Real spread = exp2(-log2_lobe_density_phong(point.x, p.exponent));
         Real level = level_of_variance(variance_of_spread(spread) * per_sample);
-        total += s.weight * environment_radiance(environment, s.direction, level);
+        sum = with_light(environment, sum, s.direction, level, s.weights);
     }
-    return total / Real(sample_count(environment));
+    return (p.specular * first_light(environment, sum) + second_light(environment, sum)) /
+           Real(sample_count(environment));
 }
 
 // The same with the report's own choice of mip level, 1/2 log2(W H / N) - 1/2 log2(D(H) / 4), clamped, in the
@@ -49,7 +51,8 @@ vec3 specular_phong_report(Environment environment, Phong p, vec3 N, vec3 V, vec
     for (int i = 0; i < sample_count(environment); ++i) {
         PhongSample s = phong_sample(p, lobe, N, V, lobe_point(environment, i));
         Real level = base - 0.5 * (log2_density_phong(s.NH, p.exponent) - 2.0);
-        total += s.weight * environment_report_radiance(environment, s.direction, max(level, 0.0));
+        vec3 weight = s.weights.x * p.specular + vec3(s.weights.y);
+        total += weight * environment_report_radiance(environment, s.direction, max(level, 0.0));
     }
     return total / Real(sample_count(environment));
 }

@@ -36,6 +36,11 @@ struct Real {
     HWY_INLINE Real(int s) : v(hn::Set(FloatTag(), static_cast<float>(s))) {}
 };
 
+// A number as mantissa * 4^exponent, mantissa in [1, 4).
+struct PowersOfFour {
+    Real mantissa, exponent;
+};
+
 HWY_INLINE Real to_real(Int i) { return hn::ConvertTo(FloatTag(), i); }
 HWY_INLINE Real load(const float* from) { return hn::LoadU(FloatTag(), from); }
 HWY_INLINE void store(Real a, float* to) { hn::StoreU(a.v, FloatTag(), to); }

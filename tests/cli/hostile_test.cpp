@@ -1,6 +1,6 @@
 // Files made to break programs: each is refused in one line, with code 3, at once, in little memory, and no output
 // file is left.
-#include "tests/cli/process.h"
+#include "tests/support/process.h"
 
 #include <gtest/gtest.h>
 
@@ -13,8 +13,12 @@ namespace lambent {
 namespace {
 
 using testing::Folder;
-using testing::lambent;
 using testing::Outcome;
+
+Outcome lambent(const std::vector<std::string>& words)
+{
+    return testing::run_program(LAMBENT_PROGRAM, words);
+}
 
 void write_bytes(const std::string& path, const std::string& bytes)
 {

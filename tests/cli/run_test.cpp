@@ -1,5 +1,5 @@
 // The program as its users meet it: what it writes, what it says, how it ends.
-#include "tests/cli/process.h"
+#include "tests/support/process.h"
 
 #include "image/image_io.h"
 
@@ -15,8 +15,12 @@ namespace lambent {
 namespace {
 
 using testing::Folder;
-using testing::lambent;
 using testing::Outcome;
+
+Outcome lambent(const std::vector<std::string>& words)
+{
+    return testing::run_program(LAMBENT_PROGRAM, words);
+}
 
 void write_text(const std::string& path, const std::string& text)
 {

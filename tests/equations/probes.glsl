@@ -415,16 +415,32 @@ vec2 pixel_point(Environment e, int k) { return vec2((Real(k) + 0.5) / Real(e.sa
 
 Real level_one_variance(Environment e) { return e.variance; }
 
-vec3 environment_radiance(Environment e, vec3 d, Real level)
-{
-    vec3 n = normalize(d);
-    return e.brightness * vec3(1.5 + n.y, 1.5 + 0.5 * n.x * n.z, 1.0 / (2.0 + level));
-}
-
 vec3 environment_report_radiance(Environment e, vec3 d, Real level)
 {
-    return environment_radiance(e, d, min(level, 8.0));
+    vec3 n = normalize(d);
+    return e.brightness * vec3(1.5 + n.y, 1.5 + 0.5 * n.x * n.z, 1.0 / (2.0 + min(level, 8.0)));
 }
+
+struct LightSum {
+    vec3 first;
+    vec3 second;
+};
+
+LightSum no_light(Environment e)
+{
+    LightSum none = {vec3(0.0 * e.brightness), vec3(0.0)};
+    return none;
+}
+
+LightSum with_light(Environment e, LightSum sum, vec3 d, Real level, vec2 weights)
+{
+    vec3 light = environment_report_radiance(e, d, level);
+    LightSum more = {sum.first + weights.x * light, sum.second + weights.y * light};
+    return more;
+}
+
+vec3 first_light(Environment e, LightSum sum) { return (e.brightness / e.brightness) * sum.first; }
+vec3 second_light(Environment e, LightSum sum) { return (e.brightness / e.brightness) * sum.second; }
 
 Real report_base_level(Environment e) { return e.base_level; }
 

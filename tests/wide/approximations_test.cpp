@@ -139,22 +139,16 @@ TEST_P(Approximations, InverseSquareRoot)
     expect_below(4e-7, relative_error(inversesqrt, all_octaves(0x1p-125f, 0x1p126f)), "1 / sqrt(a)");
 }
 
-TEST_P(Approximations, FloorOfTheLogarithmIsExact)
+TEST_P(Approximations, PowersOfFourAreExact)
 {
     const std::vector<float> at = all_octaves(0x1p-126f, 0x1.fffffep127f);
-    const std::vector<float> results = evaluate(Function::floor_log2, at);
-    for (size_t i = 0; i < at.size(); i++)
-        ASSERT_EQ(results[i], static_cast<float>(std::ilogb(at[i]))) << at[i];
-}
-
-TEST_P(Approximations, PowerOfTwoIsExact)
-{
-    std::vector<float> at;
-    for (int i = -126; i <= 127; i++)
-        at.push_back(static_cast<float>(i));
-    const std::vector<float> results = evaluate(Function::power_of_two, at);
-    for (size_t i = 0; i < at.size(); i++)
-        EXPECT_EQ(results[i], std::ldexp(1.0f, static_cast<int>(at[i])));
+    const std::vector<float> mantissas = evaluate(Function::mantissa, at);
+    const std::vector<float> exponents = evaluate(Function::exponent, at);
+    for (size_t i = 0; i < at.size(); i++) {
+        const int octave = std::ilogb(at[i]), half = static_cast<int>(std::floor(octave / 2.0));
+        ASSERT_EQ(exponents[i], static_cast<float>(half)) << at[i];
+        ASSERT_EQ(mantissas[i], std::ldexp(at[i], -2 * half)) << at[i];
+    }
 }
 
 TEST_P(Approximations, Logarithm)

@@ -19,10 +19,10 @@ Real apply(Function function, Real a, Real b)
         return reciprocal(a);
     case Function::inversesqrt:
         return inversesqrt(a);
-    case Function::floor_log2:
-        return floor_log2(a);
-    case Function::power_of_two:
-        return power_of_two(a);
+    case Function::mantissa:
+        return powers_of_four(a).mantissa;
+    case Function::exponent:
+        return powers_of_four(a).exponent;
     case Function::log2:
         return log2(a);
     case Function::exp2:

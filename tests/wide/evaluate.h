@@ -8,8 +8,8 @@ namespace lambent::test {
 enum class Function {
     reciprocal,
     inversesqrt,
-    floor_log2,
-    power_of_two,
+    mantissa, // of powers_of_four
+    exponent,
     log2,
     exp2,
     acos,

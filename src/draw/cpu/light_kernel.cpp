@@ -20,7 +20,7 @@ namespace {
 
 // What the hooks of src/shading/README.md read.
 struct Environment {
-    CubeView chain;
+    CubeSums* sums;
     float scale;    // of the chain
     float variance; // of its level 1
     const environment::Panorama* mips;
@@ -57,9 +57,28 @@ HWY_INLINE Real level_one_variance(const Environment& e)
     return e.variance;
 }
 
-HWY_INLINE vec3 environment_radiance(const Environment& e, vec3 d, Real level)
+// The sums live in the environment; the text hands this around.
+struct LightSum {};
+
+HWY_INLINE LightSum no_light(const Environment& e)
 {
-    return Real(e.scale) * cube_trilinear(e.chain, d, level);
+    e.sums->clear();
+    return {};
+}
+
+HWY_INLINE LightSum with_light(const Environment& e, LightSum, vec3 d, Real level, vec2 weights)
+{
+    e.sums->add(d, level, weights.x, weights.y);
+    return {};
+}
+
+HWY_INLINE vec3 first_light(const Environment& e, LightSum)
+{
+    return Real(e.scale) * e.sums->first();
+}
+HWY_INLINE vec3 second_light(const Environment& e, LightSum)
+{
+    return Real(e.scale) * e.sums->second();
 }
 
 HWY_INLINE Real report_base_level(const Environment& e)
@@ -171,7 +190,7 @@ void add_direct(const LightContext& c, std::span<const LightSource> lights, size
 void add_ambient(const LightContext& c, size_t at, Fragments& f)
 {
     const environment::IrradianceMap& map = c.environment->irradiance;
-    const CubeView cube{map.halfs.data(), map.log2_size, map.levels};
+    const CubeView cube{map.halfs(), map.log2_size, map.levels};
     const vec3 N = load3(f, shading_x, at);
     const vec3 irradiance = Real(map.scale) * cube_bilinear(cube, turned(c, N), hn::Zero(IntTag()));
     vec3 diffuse = load3(f, base_r, at);
@@ -207,12 +226,12 @@ void add_specular(const LightContext& c, const Environment& e, size_t at, Fragme
     store3(r.plain * light.plain + r.grazing * light.grazing, f, reflected_r, at);
 }
 
-Environment environment_of(const LightContext& c)
+Environment environment_of(const LightContext& c, CubeSums& sums)
 {
     const environment::CubeChain& chain = c.environment->chain;
     const float deviation = environment::level_one_deviation(chain);
     Environment e{};
-    e.chain = {chain.halfs.data(), chain.log2_size, chain.levels};
+    e.sums = &sums;
     e.scale = chain.scale;
     e.variance = deviation * deviation;
     e.mips = c.mip_chain ? c.mip_chain->data() : nullptr;
@@ -239,7 +258,9 @@ HWY_FLATTEN void light_ambiently(const LightContext& context, size_t begin, size
 
 HWY_FLATTEN void light_specularly(const LightContext& context, size_t begin, size_t end, Fragments& fragments)
 {
-    const Environment environment = environment_of(context);
+    const environment::CubeChain& chain = context.environment->chain;
+    CubeSums sums({chain.halfs(), chain.log2_size, chain.levels});
+    const Environment environment = environment_of(context, sums);
     for (size_t at = begin; at < end; at += lane_count)
         add_specular(context, environment, at, fragments);
 }
@@ -248,7 +269,7 @@ HWY_FLATTEN void light_background(const LightContext& context, const RayMap& ray
                                   float* const rgb[3])
 {
     const environment::Environment& e = *context.environment;
-    const CubeView chain{e.chain.halfs.data(), e.chain.log2_size, e.chain.levels};
+    const CubeView chain{e.chain.halfs(), e.chain.log2_size, e.chain.levels};
     const PanoramaView picture = view(e.panorama);
     const vec3 start = uniform(rays.direction) + Real(row.y) * uniform(rays.direction_dy);
     for (int x = 0; x < row.count; x += static_cast<int>(lane_count)) {

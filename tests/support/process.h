@@ -1,4 +1,4 @@
-// The program as a user runs it.
+// Programs as a user runs them.
 #pragma once
 
 #include <string>
@@ -14,8 +14,9 @@ struct Outcome {
     double megabytes = 0.0; ///< peak resident memory
 };
 
-/// Runs build/.../lambent with these words. A run over `limit_seconds` is killed.
-Outcome lambent(const std::vector<std::string>& words, double limit_seconds = 60.0);
+/// Runs a program, found through PATH unless it has a slash, with these words. Over `limit_seconds` it is killed.
+Outcome run_program(const std::string& program, const std::vector<std::string>& words,
+                    double limit_seconds = 60.0);
 
 /// A folder of its own for each test, removed at its end.
 class Folder {

@@ -1,4 +1,4 @@
-#include "tests/cli/process.h"
+#include "tests/support/process.h"
 
 #include <algorithm>
 #include <chrono>
@@ -28,16 +28,15 @@ std::string contents(const std::string& path)
 [[noreturn]] void become_program(const std::vector<std::string>& words, const std::string& out,
                                  const std::string& err)
 {
-    const int output = ::open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-    const int error = ::open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    const int output = ::open(streams.out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    const int error = ::open(streams.err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     ::dup2(output, STDOUT_FILENO);
     ::dup2(error, STDERR_FILENO);
-    std::string program = LAMBENT_PROGRAM;
     std::vector<char*> arguments = {program.data()};
     for (const std::string& word : words)
         arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
-    ::execv(program.c_str(), arguments.data());
+    ::execvp(program.c_str(), arguments.data());
     ::_exit(127);
 }
 
@@ -64,17 +63,17 @@ std::vector<std::string> Folder::names() const
     return names;
 }
 
-Outcome lambent(const std::vector<std::string>& words, double limit_seconds)
+Outcome run_program(const std::string& program, const std::vector<std::string>& words, double limit_seconds)
 {
     const Folder folder;
-    const std::string out = folder.path("out"), err = folder.path("err");
+    const Streams streams{folder.path("out"), folder.path("err")};
     const auto start = std::chrono::steady_clock::now();
     const auto elapsed = [start] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };
     const pid_t child = ::fork();
     if (child == 0)
-        become_program(words, out, err);
+        become(program, words, streams);
     int status = 0;
     rusage usage{};
     while (::wait4(child, &status, WNOHANG, &usage) == 0) {
@@ -86,8 +85,8 @@ Outcome lambent(const std::vector<std::string>& words, double limit_seconds)
     outcome.seconds = elapsed();
     outcome.megabytes = static_cast<double>(usage.ru_maxrss) / 1024.0;
     outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    outcome.output = contents(out);
-    outcome.error = contents(err);
+    outcome.output = contents(streams.out);
+    outcome.error = contents(streams.err);
     return outcome;
 }
 
