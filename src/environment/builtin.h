@@ -9,10 +9,10 @@
 namespace lambent::environment {
 
 struct BuiltinOptions {
-    int width = 1024;             ///< of the panorama, a power of two from 64 to 8192; half as high
-    float sun_azimuth = 2.3f;     ///< radians about +Y as a camera's azimuth: 0 is on the +Z side (sky)
-    float sun_elevation = 0.7f;   ///< radians above the horizon, -0.1 to pi/2 (sky)
-    float turbidity = 3.0f;       ///< haze: 1.5 (clear) to 10 (sky)
+    int width = 1024;           ///< of the panorama, a power of two from 64 to 8192; half as high
+    float sun_azimuth = -0.8f;  ///< radians about +Y as a camera's azimuth: 0 is on the +Z side (sky)
+    float sun_elevation = 0.7f; ///< radians above the horizon, -0.1 to pi/2 (sky)
+    float turbidity = 2.2f;     ///< haze: 1.5 (clear) to 10 (sky)
 };
 
 /// The names that make_builtin knows:
@@ -22,6 +22,9 @@ struct BuiltinOptions {
 std::span<const std::string_view> builtin_names();
 
 bool is_builtin(std::string_view name);
+
+/// Luminance in cd/m^2 of radiance 1 in the sky: a white wall in the sun is then 3, the blue sky 0.3 to 1.
+constexpr float sky_nits_per_unit = 15000.0f;
 
 /// An equirectangular picture, RGB, oriented as Panorama. Throws Error(usage) for an unknown name or an option outside
 /// its range. Takes a few ten milliseconds at the default width on two cores.

@@ -143,12 +143,12 @@ Scene make_report_scene(const BuiltinOptions& options)
         glm::scale(moved(0.38f, 0.0f, 0.0f), glm::vec3(2.6f)));
     Material ground = report_material("plane", {glm::vec3(0.4f), glm::vec3(0.3f), exponent});
     ground.double_sided = true;
-    add(scene, make_plane(1.25f, scaled(4, options)), ground, glm::mat4(1.0f));
+    add(scene, make_plane(0.95f, scaled(4, options)), ground, glm::mat4(1.0f));
 
     scene.lights.push_back(directional({0.5f, -0.8f, -0.55f}, glm::vec3(1.0f)));
     // Low over the plane: seen from the front their highlights draw out into streaks.
     scene.lights.push_back(point({-0.1f, 0.12f, 0.5f}, glm::vec3(0.06f, 0.028f, 0.006f)));
-    scene.lights.push_back(point({0.85f, 0.15f, 0.35f}, glm::vec3(0.008f, 0.026f, 0.06f)));
+    scene.lights.push_back(point({0.75f, 0.15f, 0.4f}, glm::vec3(0.008f, 0.026f, 0.06f)));
     return scene;
 }
 

@@ -21,8 +21,8 @@ struct BuiltinOptions {
 ///  - teapot: Newell's, white glaze, 0.3 m long, standing on y = 0;
 ///  - plane: 2 x 2 m at y = 0, facing up, seen from both sides;
 ///  - report: sphere, teapot and plane with one directional and two point lights;
-///  - grid: 7 x 7 spheres of gold colour facing +Z, perceptual roughness 0 to 1 from left to right, metallic 0
-///    to 1 from bottom to top;
+///  - grid: 7 x 7 spheres of gold colour facing +Z, perceptual roughness 0 to 1 from left to right,
+///    metallic 0 to 1 from bottom to top;
 ///  - furnace: 11 x 3 white spheres, roughness and metallic likewise.
 /// Every material has a PhongMaterial too.
 std::span<const std::string_view> builtin_names();

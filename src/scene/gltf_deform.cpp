@@ -115,10 +115,11 @@ void move_vertex(Mesh& mesh, std::size_t vertex, const glm::mat4& matrix, bool m
 
 } // namespace
 
-void apply_morph_targets(const Document& document, const PrimitivePart& part, std::span<const double> weights,
-                         Mesh& mesh)
+std::size_t apply_morph_targets(const Document& document, const PrimitivePart& part,
+                                std::span<const double> weights, Mesh& mesh)
 {
     const auto& targets = part.primitive.targets;
+    std::size_t left_out = 0;
     for (std::size_t target = 0; target < std::min(targets.size(), weights.size()); ++target) {
         const auto weight = static_cast<float>(weights[target]);
         if (weight == 0.0f)
@@ -132,8 +133,11 @@ void apply_morph_targets(const Document& document, const PrimitivePart& part, st
                 add_displacement(document, part, use, weight, mesh.normals);
             else if (attribute == "TANGENT" && !mesh.tangents.empty())
                 add_displacement(document, part, use, weight, mesh.tangents);
+            else if (attribute.starts_with("TEXCOORD_") || attribute.starts_with("COLOR_"))
+                ++left_out;
         }
     }
+    return left_out;
 }
 
 std::vector<glm::mat4> skin_matrices(const Document& document, const NodeTree& nodes, int skin)

@@ -20,10 +20,11 @@ struct PrimitivePart {
     std::span<const std::uint32_t> selection;
 };
 
-/// Adds the weighted displacements of positions, normals and tangents. Weights beyond the targets, and targets
-/// beyond the weights, count as 0. Throws Error(bad_input) for an accessor of another length.
-void apply_morph_targets(const Document& document, const PrimitivePart& part, std::span<const double> weights,
-                         Mesh& mesh);
+/// Adds the weighted displacements of positions, normals and tangents. Weights beyond the targets, and
+/// targets beyond the weights, count as 0. Returns how many displacements of other attributes it left out.
+/// Throws Error(bad_input) for an accessor of another length.
+std::size_t apply_morph_targets(const Document& document, const PrimitivePart& part,
+                                std::span<const double> weights, Mesh& mesh);
 
 /// For each joint of a skin: world from mesh, in the rest pose. Throws Error(bad_input) for joints or inverse
 /// bind matrices that do not exist.
@@ -31,8 +32,8 @@ std::vector<glm::mat4> skin_matrices(const Document& document, const NodeTree& n
 
 bool has_skin_attributes(const tinygltf::Primitive& primitive);
 
-/// Moves the vertices into the world by their joints. Where the movement mirrors, triangles are turned over, so
-/// that their fronts stay in front. Vertices whose weights sum to 0 follow their first joint.
+/// Moves the vertices into the world by their joints. Where the movement mirrors, triangles are turned
+/// over, so that their fronts stay in front. Vertices whose weights sum to 0 follow their first joint.
 /// Throws Error(bad_input) for a joint that the skin does not have.
 void apply_skin(const Document& document, const PrimitivePart& part, std::span<const glm::mat4> matrices,
                 Mesh& mesh);

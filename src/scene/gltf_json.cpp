@@ -4,8 +4,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <array>
 #include <utility>
 #include <vector>
 
@@ -16,25 +14,6 @@ using nlohmann::json;
 
 constexpr int deepest = 64;
 constexpr std::size_t most_values = 4'000'000;
-
-// The parts of the top level that are read; animations and the rest are not even built.
-constexpr std::array<std::string_view, 17> top_level = {"asset",
-                                                        "scene",
-                                                        "scenes",
-                                                        "nodes",
-                                                        "meshes",
-                                                        "accessors",
-                                                        "bufferViews",
-                                                        "buffers",
-                                                        "images",
-                                                        "textures",
-                                                        "samplers",
-                                                        "materials",
-                                                        "skins",
-                                                        "cameras",
-                                                        "extensions",
-                                                        "extensionsUsed",
-                                                        "extensionsRequired"};
 
 // Both parsers that follow are safe at this depth; neither limits it by itself.
 void check_size(std::string_view text, const std::string& file)
@@ -94,10 +73,12 @@ private:
     bool close();
 
     json document_;
-    std::vector<json*> open_;  // containers from the top level inwards
-    std::string key_;          // of the next value in an object
-    bool is_wanted_ = true;    // whether that value is read
-    std::size_t unwanted_ = 0; // containers entered since one that is not read, itself included
+    std::vector<json*> open_;    // containers from the top level inwards
+    std::string key_;            // of the next value in an object
+    bool is_wanted_ = true;      // whether that value is read
+    std::size_t unwanted_ = 0;   // containers entered since one that is not read, itself included
+    std::string list_;           // at the top level, being read
+    std::size_t list_limit_ = 0; // and how many elements it may have
     std::string failure_;
 };
 
@@ -105,8 +86,14 @@ bool Builder::key(string_t& name)
 {
     if (unwanted_ != 0)
         return true;
-    is_wanted_ = open_.size() == 1 ? std::find(top_level.begin(), top_level.end(), name) != top_level.end()
-                                   : name != "extras";
+    if (open_.size() == 1) {
+        const std::optional<std::size_t> limit = top_level_limit(name);
+        is_wanted_ = limit.has_value();
+        list_ = name;
+        list_limit_ = limit.value_or(0);
+    } else {
+        is_wanted_ = name != "extras";
+    }
     key_ = std::move(name);
     return true;
 }
@@ -115,6 +102,10 @@ bool Builder::add(json value)
 {
     if (unwanted_ != 0 || !std::exchange(is_wanted_, true))
         return true;
+    if (open_.size() == 2 && open_.back()->is_array() && open_.back()->size() == list_limit_) {
+        failure_ = text("more than ", list_limit_, " ", list_);
+        return false;
+    }
     if (open_.empty())
         document_ = std::move(value);
     else if (open_.back()->is_array())
@@ -131,7 +122,8 @@ bool Builder::open(json container)
         ++unwanted_;
         return true;
     }
-    add(std::move(container));
+    if (!add(std::move(container)))
+        return false;
     if (open_.empty())
         open_.push_back(&document_);
     else if (open_.back()->is_array())

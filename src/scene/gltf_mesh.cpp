@@ -11,11 +11,11 @@
 namespace lambent::scene {
 namespace {
 
-// A few million elements are free; beyond that a file may ask for no more than this many for each byte of its
-// buffers. Reading every byte as an index of a strip without normals makes three vertices of one byte, so even
-// such a file may use its data twenty times over.
+// Primitives may share accessors, and a small file may share a few of them a million times. Two million
+// elements are free; beyond that a file may ask for so many for each byte of its buffers. Ordinary vertices
+// with their indices take about 40 bytes and 6 elements: a hundred materials may be put on the same geometry.
 constexpr std::uint64_t free_elements = 2'000'000;
-constexpr std::uint64_t elements_per_byte = 64;
+constexpr std::uint64_t elements_per_byte = 16;
 constexpr std::size_t most_instances = 1'000'000;
 
 std::size_t at(int index)
@@ -32,6 +32,7 @@ struct Plan {
         std::size_t request;
     };
     std::vector<Use> uses;
+    std::vector<PrimitiveResult> results;        // of each request, once read
     std::map<int, std::vector<glm::mat4>> skins; // requests point into these
     std::size_t not_triangles = 0;               // primitives left out
 };
@@ -132,6 +133,7 @@ void warn(const Document& document, const PrimitiveNotes& notes, std::size_t not
     };
     warn_if(not_triangles, " primitives are points, lines or without positions: left out");
     warn_if(notes.left_over_indices, " indices after the last whole triangle left out");
+    warn_if(notes.left_out_displacements, " morph targets of texture coordinates or colours left out");
     warn_if(notes.rebuilt_normals, " normals of no length rebuilt from the faces");
     warn_if(notes.rebuilt_tangents, " tangents of no use replaced");
     warn_if(notes.replaced_texcoords, " texture coordinates were not finite: replaced by 0");
@@ -154,13 +156,13 @@ void check_reach(const Document& document, const glm::dmat4& transform, float re
 }
 
 // Instances of the results that have triangles; those results become meshes, in order.
-void assemble(const Document& document, const NodeTree& nodes, const Plan& plan,
-              std::vector<PrimitiveResult>& results, DrawnMeshes& drawn, Warnings& warnings)
+void assemble(const Document& document, const NodeTree& nodes, Plan& plan, DrawnMeshes& drawn,
+              Warnings& warnings)
 {
-    std::vector<int> mesh_of(results.size(), -1);
+    std::vector<int> mesh_of(plan.results.size(), -1);
     std::size_t singular = 0;
     for (const Plan::Use& use : plan.uses) {
-        PrimitiveResult& result = results[use.request];
+        PrimitiveResult& result = plan.results[use.request];
         const glm::dmat4 transform = result.in_world ? glm::dmat4(1.0) : nodes.world[at(use.node)];
         if (!is_invertible(transform)) {
             ++singular;
@@ -193,14 +195,15 @@ DrawnMeshes read_meshes(const Document& document, const NodeTree& nodes, Warning
         plan.requests[i].needs =
             texture_needs(drawn.materials.materials[at(drawn.materials.index_of(plan.materials[i]))]);
 
-    std::vector<PrimitiveResult> results(plan.requests.size());
-    parallel_for_each_index(results.size(),
-                            [&](std::size_t i) { results[i] = read_primitive(document, plan.requests[i]); });
+    plan.results.resize(plan.requests.size());
+    parallel_for_each_index(plan.results.size(), [&](std::size_t i) {
+        plan.results[i] = read_primitive(document, plan.requests[i]);
+    });
     PrimitiveNotes notes;
-    for (const PrimitiveResult& result : results)
+    for (const PrimitiveResult& result : plan.results)
         notes += result.notes;
     warn(document, notes, plan.not_triangles, warnings);
-    assemble(document, nodes, plan, results, drawn, warnings);
+    assemble(document, nodes, plan, drawn, warnings);
     return drawn;
 }
 

@@ -15,10 +15,10 @@ struct DrawnMeshes {
     MaterialTable materials;
 };
 
-/// Reads every primitive under the drawn nodes once for all nodes that share it; skinned ones, and those whose
-/// node has morph weights of its own, once for each node. In parallel. Nodes with a singular transform are
-/// left out with a warning. Throws Error(bad_input), also where sharing would blow a small file up into
-/// unreasonably much geometry.
+/// Reads every primitive under the drawn nodes once for all nodes that share it; skinned ones, and those
+/// whose node has morph weights of its own, once for each node. In parallel. Nodes with a singular
+/// transform are left out with a warning. Throws Error(bad_input), also where sharing would blow a small
+/// file up into unreasonably much geometry.
 DrawnMeshes read_meshes(const Document& document, const NodeTree& nodes, Warnings& warnings);
 
 } // namespace lambent::scene

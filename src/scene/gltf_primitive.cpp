@@ -113,7 +113,7 @@ std::vector<std::uint32_t> choose_vertices(std::vector<glm::uvec3>& triangles, s
 void read_attributes(const Document& document, const PrimitivePart& part, std::size_t vertices, Mesh& mesh)
 {
     mesh.positions = read_vec3(document, *attribute(part, "POSITION"));
-    // Whole numbers in unit vectors are fractions even where a file forgets to say so; lengths are mended later.
+    // Whole numbers in unit vectors are fractions even where a file forgets to say so; lengths come later.
     if (auto use = vertex_attribute(document, part, "NORMAL", vertices)) {
         use->normalized = true;
         mesh.normals = read_vec3(document, *use);
@@ -214,6 +214,7 @@ PrimitiveNotes& PrimitiveNotes::operator+=(const PrimitiveNotes& other)
     replaced_colors += other.replaced_colors;
     left_over_indices += other.left_over_indices;
     missing_texcoords += other.missing_texcoords;
+    left_out_displacements += other.left_out_displacements;
     return *this;
 }
 
@@ -277,7 +278,7 @@ PrimitiveResult read_primitive(const Document& document, const PrimitiveRequest&
     const std::vector<std::uint32_t> selection = choose_vertices(mesh.triangles, vertices);
     part.selection = selection;
     read_attributes(document, part, vertices, mesh);
-    apply_morph_targets(document, part, request.weights, mesh);
+    result.notes.left_out_displacements = apply_morph_targets(document, part, request.weights, mesh);
     if (!request.skin.empty() && has_skin_attributes(primitive)) {
         apply_skin(document, part, request.skin, mesh);
         result.in_world = true;

@@ -30,10 +30,11 @@ struct PrimitiveRequest {
 struct PrimitiveNotes {
     std::size_t rebuilt_normals = 0;
     std::size_t rebuilt_tangents = 0;
-    std::size_t replaced_texcoords = 0; ///< were not finite: now 0
-    std::size_t replaced_colors = 0;    ///< were not finite: now 1
-    std::size_t left_over_indices = 0;  ///< after the last whole triangle
-    std::size_t missing_texcoords = 0;  ///< primitives whose material reads a set they do not have
+    std::size_t replaced_texcoords = 0;     ///< were not finite: now 0
+    std::size_t replaced_colors = 0;        ///< were not finite: now 1
+    std::size_t left_over_indices = 0;      ///< after the last whole triangle
+    std::size_t missing_texcoords = 0;      ///< primitives whose material reads a set they do not have
+    std::size_t left_out_displacements = 0; ///< morph targets of texture coordinates or colours
 
     PrimitiveNotes& operator+=(const PrimitiveNotes& other);
 };

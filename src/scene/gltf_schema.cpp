@@ -63,7 +63,7 @@ constexpr Property nested(const char* name, const Shape& shape, Need need = Need
     return {name, Kind::object, need, 0, &shape};
 }
 
-// tinygltf spends up to two kilobytes on an object that is three bytes in the file: there is a limit to each list.
+// tinygltf spends up to two kilobytes on an object that is three bytes in the file: each list has a limit.
 constexpr Property list(const char* name, const Shape& shape, const char* element, std::size_t most)
 {
     return {name, Kind::objects, Need::optional, 0, &shape, element, most};
@@ -263,7 +263,7 @@ private:
     const std::string& file_;
 };
 
-const Property* find(const Shape& shape, const std::string& name)
+const Property* find(const Shape& shape, std::string_view name)
 {
     for (const Property& property : shape.properties)
         if (name == property.name)
@@ -380,6 +380,15 @@ void Checker::check_value(json& value, const Property& property, const Place& pl
 }
 
 } // namespace
+
+std::optional<std::size_t> top_level_limit(std::string_view name)
+{
+    constexpr std::size_t most_words = 10'000;
+    const Property* property = find(root, name);
+    if (property == nullptr)
+        return std::nullopt;
+    return property->kind == Kind::objects ? property->most : most_words;
+}
 
 void check_schema(json& document, const std::string& file)
 {

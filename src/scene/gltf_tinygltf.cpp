@@ -1,6 +1,6 @@
 // tinygltf's code, and the one call into it.
 #define TINYGLTF_IMPLEMENTATION
-#include <fstream> // tinygltf leaves this include out with TINYGLTF_NO_FS but needs it for its (unused) writer
+#include <fstream> // with TINYGLTF_NO_FS tinygltf leaves it out, but its (unused) writer needs it
 #include "scene/tinygltf_header.h"
 
 #include "scene/gltf_document.h"
@@ -25,7 +25,7 @@ tinygltf::Model parse_model(const std::string& json, const std::string& file)
     } catch (const std::exception& exception) {
         refuse(file, ": ", printable(exception.what()));
     }
-    // It returns true, with complaints, after leaving out what it could not read: that would be a silent loss.
+    // It returns true, with complaints, after leaving out what it could not read: a silent loss, if believed.
     if (!parsed || !error.empty())
         refuse(file, ": ", printable(std::string_view(error).substr(0, error.find('\n'))));
     return model;

@@ -67,7 +67,7 @@ struct Material {
     std::optional<PhongMaterial> phong;
 };
 
-/// Triangles with one material. Per-vertex arrays have one entry a vertex; those marked optional may be empty.
+/// Triangles with one material. Per-vertex arrays have one entry a vertex, or none where marked optional.
 struct Mesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;      ///< unit length

@@ -22,7 +22,8 @@ constexpr std::uint32_t none = ~std::uint32_t{0};
 enum Side : int { upright = 0, mirrored = 1, no_area = 2 };
 constexpr std::array<float, 2> w_of_side = {1.0f, -1.0f};
 
-// A unit vector perpendicular to a unit vector. [Duff et al., "Building an Orthonormal Basis, Revisited", 2017]
+// A unit vector perpendicular to a unit vector.
+// [Duff et al., "Building an Orthonormal Basis, Revisited", 2017]
 glm::vec3 any_perpendicular(glm::vec3 n)
 {
     const float sign = std::copysign(1.0f, n.z);

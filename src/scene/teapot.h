@@ -12,20 +12,20 @@ namespace lambent::scene {
 /// Control points of a bicubic Bezier patch: four rows of four.
 using BezierPatch = std::array<std::array<glm::dvec3, 4>, 4>;
 
-/// Martin Newell's teapot of 1975 as 32 patches, in his units, +Z up, with the numbers as published by F. Crow,
-/// "The Origins of the Teapot" (IEEE Computer Graphics and Applications, 1987): with the bottom, which was
-/// added later, and with the familiar squat proportions (the pot that Newell measured is 1.3 times as tall).
-/// Order: rim, upper body, lower body (4 each), handle, spout (4 each), knob, lid, bottom (4 each). The outside
-/// is where cross(derivative along a row, derivative along a column) points. Bottom patches run from the foot to
-/// the centre, against the published order.
+/// Martin Newell's teapot of 1975 as 32 patches, in his units, +Z up, with the numbers as handed down since
+/// F. Crow, "The Origins of the Teapot" (IEEE Computer Graphics and Applications, 1987): with the bottom,
+/// which not every listing has, and in the familiar squat proportions (the pot Newell drew is 1.3 times as
+/// tall). Order: rim, upper body, lower body, handle, spout, knob, lid, bottom, 4 each. The outside is where
+/// cross(derivative along a row, derivative along a column) points. Bottom patches run from the foot to the
+/// centre, against the usual order.
 std::array<BezierPatch, 32> teapot_patches();
 
 /// Metres for one of Newell's units: the teapot is 0.296 m long and 0.145 m tall.
 inline constexpr double teapot_scale = 0.046;
 
-/// The teapot in metres, +Y up, standing on y = 0, spout towards +X, each patch as subdivisions x subdivisions
-/// squares (1 or more) without degenerate triangles: 64 n^2 - 8 n triangles. Normals come from the patches'
-/// derivatives. u runs along the rows of a patch, v along its columns. Material 0.
+/// The teapot in metres, +Y up, standing on y = 0, spout towards +X, each patch as subdivisions x
+/// subdivisions squares (1 or more) without degenerate triangles: 64 n^2 - 8 n triangles. Normals come from
+/// the patches' derivatives. u runs along the rows of a patch, v along its columns. Material 0.
 Mesh make_teapot(int subdivisions);
 
 } // namespace lambent::scene

@@ -17,7 +17,7 @@ using testing::Vec;
 
 double texel_value(const CubeChain& chain, int level, int face, int x, int y)
 {
-    return from_half(chain.halfs[3 * chain.texel(level, face, x, y)]) * static_cast<double>(chain.scale);
+    return from_half(chain.halfs()[3 * chain.texel(level, face, x, y)]) * static_cast<double>(chain.scale);
 }
 
 // Calls visit(value, direction, solid angle) for every texel of a level.
@@ -71,7 +71,7 @@ TEST(CubeChain, LevelsDoNotOverlap)
     for (int level = 0; level < chain.levels; ++level) {
         const int n = chain.face_size(level);
         const std::size_t last = chain.texel(level, 5, n, n);
-        const std::size_t next = level > 0 ? chain.texel(level - 1, 0, -1, -1) : chain.halfs.size() / 3;
+        const std::size_t next = level > 0 ? chain.texel(level - 1, 0, -1, -1) : chain.end();
         EXPECT_LT(last, next);
     }
 }

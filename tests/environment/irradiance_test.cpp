@@ -63,7 +63,7 @@ double from_map(const IrradianceMap& map, const Vec& n)
     const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
     const double fx = x - x0, fy = y - y0;
     const auto at = [&](int i, int j) {
-        return from_half(map.halfs[3 * map.texel(0, p.face, i, j)]) * static_cast<double>(map.scale);
+        return from_half(map.halfs()[3 * map.texel(0, p.face, i, j)]) * static_cast<double>(map.scale);
     };
     return (at(x0, y0) * (1 - fx) + at(x0 + 1, y0) * fx) * (1 - fy) +
            (at(x0, y0 + 1) * (1 - fx) + at(x0 + 1, y0 + 1) * fx) * fy;

@@ -78,6 +78,20 @@ TEST(GltfMorph, FlatNormalsAreThoseOfTheMovedFaces)
     EXPECT_EQ(load(builder).meshes.at(0).normals[0], glm::vec3(0, 1, 0));
 }
 
+TEST(GltfMorph, TargetsOfOtherAttributesAreWarnedOf)
+{
+    GltfBuilder builder = morphed_triangle();
+    json& primitive = builder.document["meshes"][0]["primitives"][0];
+    primitive["attributes"]["TEXCOORD_0"] = builder.add_vec2({0, 0, 1, 0, 0, 1});
+    primitive["targets"][0]["TEXCOORD_0"] = builder.add_vec2({1, 1, 1, 1, 1, 1});
+    Warnings warnings;
+    load(builder, &warnings);
+    EXPECT_TRUE(warnings.empty()) << "its weight is 0";
+    builder.document["meshes"][0]["weights"] = {1};
+    EXPECT_EQ(load(builder, &warnings).meshes.at(0).texcoords[0][0], glm::vec2(0));
+    EXPECT_EQ(warnings, Warnings{"test.gltf: 1 morph targets of texture coordinates or colours left out"});
+}
+
 TEST(GltfMorph, TargetsAreChecked)
 {
     GltfBuilder builder = morphed_triangle();

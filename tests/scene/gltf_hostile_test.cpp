@@ -140,7 +140,7 @@ TEST(GltfHostile, ManySmallObjectsTakeTimeInProportion)
     for (int i = 1; i < 200'000; ++i)
         text += ",{}";
     EXPECT_EQ(refusal(to_bytes(text + "]}")), "");
-    EXPECT_EQ(refusal(to_bytes(text + ",{}]}")), "test.gltf: more than 200000 nodes");
+    EXPECT_EQ(refusal(to_bytes(text + ",{}]}")), "test.gltf: JSON: more than 200000 nodes");
 }
 
 TEST(GltfHostile, TooManyJsonValuesAreRefused)

@@ -18,7 +18,7 @@ GltfBuilder with_material(const json& material, int images = 0)
     primitive["attributes"]["TEXCOORD_0"] = builder.add_vec2({0, 0, 1, 0, 0, 1});
     primitive["attributes"]["TEXCOORD_1"] = builder.add_vec2({0, 0, 1, 0, 0, 1});
     primitive["material"] = 0;
-    builder.document["materials"] = {material};
+    builder.document["materials"] = json::array({material});
     for (int i = 0; i < images; ++i) {
         const auto red = static_cast<std::uint16_t>(i);
         builder.add_to("images", {{"bufferView", builder.add_view(make_png({1, 1, 8, {red, 0, 0, 255}}))}});
@@ -115,7 +115,7 @@ TEST(GltfMaterial, SamplersAreTranslated)
     const auto sampler = [](const json& source) {
         GltfBuilder builder = with_material({{"emissiveTexture", {{"index", 0}}}}, 1);
         builder.document["textures"][0]["sampler"] = 0;
-        builder.document["samplers"] = {source};
+        builder.document["samplers"] = json::array({source});
         return read(builder).emissive_texture.sampler;
     };
     const Sampler plain = sampler(json::object());
@@ -161,7 +161,7 @@ void expect_near(glm::vec2 a, glm::vec2 b)
 
 TEST(GltfTextureTransform, TheExampleOfTheExtensionShowsTheLowerLeftQuadrant)
 {
-    // "utilizes only the lower left quadrant of the source image, rotated clockwise 90 degrees"; v counts down.
+    // The lower left quadrant, says the text, turned clockwise by 90 degrees; v counts down.
     const TextureUse use =
         read(with_transform({{"offset", {0, 1}}, {"rotation", 1.57079632679}, {"scale", {0.5, 0.5}}}))
             .emissive_texture;

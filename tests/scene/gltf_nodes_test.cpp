@@ -89,7 +89,7 @@ TEST(GltfNodes, TheDefaultSceneIsDrawnElseTheFirstElseAllRoots)
     builder.document.erase("scene");
     builder.document.erase("scenes");
     EXPECT_EQ(positions(), (std::vector<float>{0, 1, 2}));
-    builder.document["scenes"] = {json::object()};
+    builder.document["scenes"] = json::array({json::object()});
     EXPECT_TRUE(positions().empty());
 }
 
@@ -165,7 +165,7 @@ TEST(GltfNodes, SingularInstancesAreLeftOutWithAWarning)
 GltfBuilder with_camera(const json& camera, const json& node)
 {
     GltfBuilder builder = triangle();
-    builder.document["cameras"] = {camera};
+    builder.document["cameras"] = json::array({camera});
     json complete = node;
     complete["camera"] = 0;
     builder.add_node(complete);
@@ -226,7 +226,7 @@ TEST(GltfCameras, ImpossibleOnesAreRefused)
 GltfBuilder with_light(const json& light, const json& node)
 {
     GltfBuilder builder = triangle();
-    builder.document["extensions"]["KHR_lights_punctual"]["lights"] = {light};
+    builder.document["extensions"]["KHR_lights_punctual"]["lights"] = json::array({light});
     json complete = node;
     complete["extensions"]["KHR_lights_punctual"]["light"] = 0;
     builder.add_node(complete);

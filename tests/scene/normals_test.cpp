@@ -35,8 +35,8 @@ TEST(Normals, TinyTrianglesHaveNormalsToo)
 
 TEST(Normals, BrokenOnesAreTheAngleWeightedMeanOfTheFaces)
 {
-    // The corner of a cube, its three faces seen from the vertex at the origin: two triangles make up the face
-    // z = 0, one each the faces x = 0 and y = 0. All three faces have a right angle there and count alike.
+    // The corner of a cube, its three faces seen from the vertex at the origin: two triangles make up the
+    // face z = 0, one each the faces x = 0 and y = 0. All three have a right angle there and count alike.
     Mesh mesh;
     mesh.positions = {{0, 0, 0}, {-1, 0, 0}, {-1, -1, 0}, {0, -1, 0}, {0, 0, -1}};
     mesh.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 1}};

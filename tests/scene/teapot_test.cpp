@@ -97,7 +97,8 @@ TEST(Teapot, NeighboursShareTheirBoundaryCurves)
         EXPECT_LE(count, 2);
         open += count == 1 ? 1 : 0;
     }
-    // Open on purpose: the inner edge of the rim (4), the edge of the lid (4), both ends of handle and spout (2 each).
+    // Open on purpose: the inner edge of the rim (4), the edge of the lid (4), both ends of handle and spout
+    // (2 each).
     EXPECT_EQ(open, 4 + 4 + 4 + 4);
 }
 
@@ -111,8 +112,9 @@ TEST(Teapot, TrianglesOfSharedCurvesMeetVertexByVertex)
         distinct.insert(
             {std::round(p.x * grid) + 0.0f, std::round(p.y * grid) + 0.0f, std::round(p.z * grid) + 0.0f});
     }
-    // Rings of 4n vertices: rim and body 3n + 1 of them, bottom n more less the centre's, knob and lid 2n + 1 less the
-    // tip's; tubes: 2n around, 2n + 1 along. Only the foot of the handle has a vertex in common with the body: (-2, 0, 0.9).
+    // Rings of 4n vertices: 3n + 1 of rim and body, n less the centre of the bottom, 2n + 1 less the tip of
+    // knob and lid. Tubes: 2n around, 2n + 1 along. Only the foot of the handle shares a vertex with the
+    // body, at (-2, 0, 0.9).
     const std::size_t rings = 4 * n * ((3 * n + 1) + (n - 1) + 2 * n) + 2;
     const std::size_t tubes = 2 * (2 * n) * (2 * n + 1);
     EXPECT_EQ(distinct.size(), rings + tubes - 1);
@@ -134,9 +136,8 @@ TEST(Teapot, CountsAndSizeAreAsPromised)
         low = glm::min(low, p);
         high = glm::max(high, p);
     }
-    // In Newell's units the pot runs from the handle at -3 to the spout at 3.434 and is 4 wide and 3.15 tall. The
-    // handle's and spout's furthest points are the extrema of one cubic each:
-    // handle, outer middle curve -3: x = -3 is reached where both halves meet.
+    // In Newell's units the pot runs from the handle at -3, where its halves meet, to the lip of the spout at
+    // 3.434, and is 4 wide and 3.15 tall.
     const auto unit = static_cast<float>(teapot_scale);
     EXPECT_NEAR(low.x / unit, -3.0f, 1e-3f);
     EXPECT_NEAR(high.x / unit, 3.43407f, 1e-3f);
