@@ -27,7 +27,7 @@ std::vector<PlacedSoftbox> softboxes()
             Softbox{{x, 2.2f, -0.6f}, {0.22f, 0.9f}, 0.05f, 0.03f, 10.0f * neutral, 0.7f, 0.0f});
     // Rim.
     boxes.emplace_back(
-        Softbox{{1.2f, 1.0f, -1.7f}, {0.35f, 0.6f}, 0.06f, 0.03f, 20.0f * neutral, 0.6f, 0.0f});
+        Softbox{{1.1f, 1.9f, -1.5f}, {0.4f, 0.55f}, 0.06f, 0.03f, 24.0f * neutral, 0.6f, 0.0f});
     // Fill.
     boxes.emplace_back(Softbox{{1.4f, 0.3f, 1.9f}, {0.8f, 0.7f}, 0.08f, 0.03f, 1.2f * neutral, 0.8f, 0.0f});
     return boxes;

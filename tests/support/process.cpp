@@ -25,8 +25,11 @@ std::string contents(const std::string& path)
     return text.str();
 }
 
-[[noreturn]] void become_program(const std::vector<std::string>& words, const std::string& out,
-                                 const std::string& err)
+struct Streams {
+    std::string out, err;
+};
+
+[[noreturn]] void become(std::string program, const std::vector<std::string>& words, const Streams& streams)
 {
     const int output = ::open(streams.out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     const int error = ::open(streams.err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);

@@ -7,7 +7,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <initializer_list>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -357,6 +359,13 @@ struct Grammar {
     }
 };
 
+bool knows_command(const CLI::App& app, std::string_view name)
+{
+    const std::vector<const CLI::App*> commands = app.get_subcommands(nullptr);
+    return std::any_of(commands.begin(), commands.end(),
+                       [name](const CLI::App* command) { return command->check_name(std::string(name)); });
+}
+
 // The first line of a message, for CLI11's may be long.
 std::string first_line(const std::string& message)
 {
@@ -377,7 +386,7 @@ Arguments parse_arguments(int count, const char* const* words)
     } catch (const CLI::CallForVersion&) {
         return PrintText{text("lambent ", version, "\n")};
     } catch (const CLI::ParseError& error) {
-        if (count > 1 && words[1][0] != '-' && !grammar.app.get_subcommand_no_throw(words[1]))
+        if (count > 1 && words[1][0] != '-' && !knows_command(grammar.app, words[1]))
             throw Error(Failure::usage,
                         text("there is no command '", words[1], "'; lambent --help lists them"));
         throw Error(Failure::usage, first_line(error.what()));
