@@ -87,7 +87,7 @@ HWY_FLATTEN void resample_row(const ResampleRow& row, CubeChain& chain)
     const float step = 1.0f / static_cast<float>(row.samples);
     const Real weight = p.scale / chain.scale * step * step;
     uint16_t* out = chain.halfs() + 3 * chain.texel(0, row.face, 0, row.y);
-    for (int x = 0; x < size; x += static_cast<int>(lane_count)) {
+    for (int x = row.first; x < row.end; x += static_cast<int>(lane_count)) {
         vec3 sum(0.0);
         for (int j = 0; j < row.samples; ++j) {
             const float across_y = (static_cast<float>(row.y) + (static_cast<float>(j) + 0.5f) * step);
@@ -98,7 +98,7 @@ HWY_FLATTEN void resample_row(const ResampleRow& row, CubeChain& chain)
                 sum += panorama_bilinear(picture, equirectangular_from_direction(d));
             }
         }
-        store_halfs(weight * sum, lanes_left(x, size), out + 3 * x);
+        store_halfs(weight * sum, lanes_left(x, row.end), out + 3 * x);
     }
 }
 
@@ -114,10 +114,10 @@ HWY_FLATTEN void blur_row(const BlurRow& row, CubeChain& chain)
     for (int x = 0; x < size; x += static_cast<int>(lane_count)) {
         const vec3 d = normalize(direction_from_cube(row.face, face_coordinate(x, 0.5f, size), t));
         const mat3 frame = orthonormal_frame(d);
-        vec3 sum(0.0);
+        LevelSums sums(source, source_level);
         for (size_t i = 0; i < taps.x.size(); ++i)
-            sum += cube_bilinear(source, frame * vec3(taps.x[i], taps.y[i], taps.z[i]), source_level);
-        store_halfs(weight * sum, lanes_left(x, size), out + 3 * x);
+            sums.add(frame * vec3(taps.x[i], taps.y[i], taps.z[i]));
+        store_halfs(weight * sums.sum(), lanes_left(x, size), out + 3 * x);
     }
 }
 

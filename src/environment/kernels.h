@@ -17,14 +17,15 @@ struct ColumnSums {
     float rgb[3], cosine[3], sine[3];
 };
 
-/// A row of level 0 of a cube: the mean of `samples`^2 bilinear lookups per texel, as halfs over `chain.scale`.
-/// Texels above `limit` radiance are dimmed to it.
+/// Texels [first, end) of a row of level 0 of a cube: the mean of `samples`^2 bilinear lookups each, as halfs over
+/// `chain.scale`. Texels of the panorama above `limit` radiance are dimmed to it.
 struct ResampleRow {
     const Panorama* panorama;
     float limit;
     int samples;
     int face;
     int y;
+    int first, end;
 };
 void resample_row(const ResampleRow& row, CubeChain& chain);
 

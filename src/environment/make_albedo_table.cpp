@@ -46,7 +46,8 @@ int main()
     for (int row = 0; row < n; ++row)
         for (int column = 0; column < n; ++column) {
             const double x = column / (n - 1.0), roughness = row / (n - 1.0);
-            const vec2 pair = albedo(std::max(x * x, least_cosine), std::max(roughness * roughness, least_alpha));
+            const vec2 pair =
+                albedo(std::max(x * x, least_cosine), std::max(roughness * roughness, least_alpha));
             std::printf("%#.9gf, %#.9gf,\n", pair.x, pair.y);
         }
     std::puts("};");

@@ -53,28 +53,43 @@ struct Resampling {
     int samples;
 };
 
-void resample(const Resampling& how, const std::vector<bool>& rows, CubeChain& chain)
+// Texels [first, end) of a row.
+struct Range {
+    int first, end;
+};
+
+// Rows of level 0: face * size + y.
+void resample(const Resampling& how, const std::vector<Range>& rows, CubeChain& chain)
 {
     const int size = chain.face_size(0);
     tbb::parallel_for(0, 6 * size, [&](int index) {
-        if (rows[static_cast<std::size_t>(index)])
-            resample_row({how.panorama, how.limit, how.samples, index / size, index % size}, chain);
+        const Range range = rows[static_cast<std::size_t>(index)];
+        resample_row(
+            {how.panorama, how.limit, how.samples, index / size, index % size, range.first, range.end},
+            chain);
     });
     fill_borders(chain, 0);
 }
 
-// Rows of level 0 (face * size + y) in which a texel above the limit may be seen.
-std::vector<bool> rows_with_peaks(const Peaks& peaks, int size)
+std::vector<Range> all_of(int size)
 {
-    std::vector<bool> rows(static_cast<std::size_t>(6 * size), false);
+    return std::vector<Range>(static_cast<std::size_t>(6 * size), Range{0, size});
+}
+
+// Where a texel above the limit may be seen.
+std::vector<Range> around(const Peaks& peaks, int size)
+{
+    std::vector<Range> rows(static_cast<std::size_t>(6 * size), Range{size, 0});
     const double reach = 3.0 / size;
     for (const Peak& peak : peaks.peaks)
         for (int face = 0; face < 6; ++face) {
             const TexelBox box = texels_within(peak, reach, face, size);
             if (box.x0 > box.x1)
                 continue;
-            for (int y = box.y0; y <= box.y1; ++y)
-                rows[static_cast<std::size_t>(face * size + y)] = true;
+            for (int y = box.y0; y <= box.y1; ++y) {
+                Range& row = rows[static_cast<std::size_t>(face * size + y)];
+                row = {std::min(row.first, box.x0), std::max(row.end, box.x1 + 1)};
+            }
         }
     return rows;
 }
@@ -104,7 +119,7 @@ void add_peaks(const Peaks& peaks, int level, CubeChain& chain)
 {
     const double texel = std::numbers::pi / 2.0 / chain.face_size(level);
     const float deviation = static_cast<float>(texel * std::sqrt(1.0 - lookup_variance));
-    add_gaussians(merged(peaks.peaks, deviation / 4.0f), deviation, level, chain);
+    add_gaussians(merged(peaks.peaks, deviation / 2.0f), deviation, level, chain);
     fill_borders(chain, level);
 }
 
@@ -144,14 +159,12 @@ CubeChain make_chain(const Panorama& panorama)
     const int samples =
         std::max(1, static_cast<int>(std::ceil(1.5 / std::numbers::pi * panorama.width / size)));
     const Peaks peaks = find_peaks(panorama);
-    resample({&panorama, peaks.limit, samples}, std::vector<bool>(static_cast<std::size_t>(6 * size), true),
-             chain);
+    resample({&panorama, peaks.limit, samples}, all_of(size), chain);
     for (int level = 1; level < chain.levels; ++level)
         blur_level(level, chain);
     if (!peaks.peaks.empty()) {
-        for (int level = 1; level < chain.levels; ++level)
-            add_peaks(peaks, level, chain);
-        resample({&panorama, brightest_of_all, samples}, rows_with_peaks(peaks, size), chain);
+        tbb::parallel_for(1, chain.levels, [&](int level) { add_peaks(peaks, level, chain); });
+        resample({&panorama, brightest_of_all, samples}, around(peaks, size), chain);
     }
     return chain;
 }

@@ -8,6 +8,8 @@
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -17,39 +19,72 @@ namespace {
 
 constexpr double least_over_mean = 16.0;
 constexpr double most_of_all = 1.0 / 200.0;
+constexpr double most_peaks = 3000.0; // what is wider than a few texels needs no help, at any resolution
 
 double largest_channel(const Rgb& c)
 {
     return std::max(c.r, std::max(c.g, c.b));
 }
 
-double mean_radiance(const Panorama& panorama)
+// How bright the texels are: the sum of their largest channel over the sphere, and a histogram of it, four bins an
+// octave.
+struct Brightness {
+    static constexpr int bins = 1024;
+
+    double integral = 0.0;
+    std::array<std::uint32_t, bins> count = {};
+
+    static std::size_t bin(float value) { return std::bit_cast<std::uint32_t>(value) >> 21; }
+    static float start(std::size_t bin)
+    {
+        return std::bit_cast<float>(static_cast<std::uint32_t>(bin << 21));
+    }
+};
+
+Brightness sum(Brightness a, const Brightness& b)
 {
-    const double sum = tbb::parallel_reduce(
-        tbb::blocked_range<int>(0, panorama.height), 0.0,
-        [&](const tbb::blocked_range<int>& rows, double total) {
-            for (int y = rows.begin(); y < rows.end(); ++y) {
-                double row = 0.0;
-                for (int x = 0; x < panorama.width; ++x)
-                    row += largest_channel(panorama.radiance(x, y));
-                total += row * texel_solid_angle(panorama, y);
-            }
-            return total;
-        },
-        [](double a, double b) { return a + b; });
-    return sum / (4.0 * std::numbers::pi);
+    a.integral += b.integral;
+    for (std::size_t i = 0; i < a.count.size(); ++i)
+        a.count[i] += b.count[i];
+    return a;
 }
 
-std::size_t texels_above(const Panorama& panorama, double limit)
+// `brightest` gets that of each row.
+Brightness measure(const Panorama& panorama, std::vector<float>& brightest)
 {
-    return tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, panorama.texels.size(), 1 << 14), std::size_t{0},
-        [&](const tbb::blocked_range<std::size_t>& range, std::size_t count) {
-            for (std::size_t i = range.begin(); i < range.end(); ++i)
-                count += largest_channel(unpack_rgb9e5(panorama.texels[i])) * panorama.scale > limit;
-            return count;
-        },
-        [](std::size_t a, std::size_t b) { return a + b; });
+    const auto add_rows = [&](const tbb::blocked_range<int>& rows, Brightness total) {
+        for (int y = rows.begin(); y < rows.end(); ++y) {
+            float light = 0.0f, most = 0.0f;
+            const std::uint32_t* texels =
+                panorama.texels.data() +
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(panorama.width);
+            for (int x = 0; x < panorama.width; ++x) {
+                const Rgb c = unpack_rgb9e5(texels[x]);
+                const float value = panorama.scale * std::max(c.r, std::max(c.g, c.b));
+                light += value;
+                most = std::max(most, value);
+                ++total.count[Brightness::bin(value)];
+            }
+            total.integral += static_cast<double>(light) * texel_solid_angle(panorama, y);
+            brightest[static_cast<std::size_t>(y)] = most;
+        }
+        return total;
+    };
+    return tbb::parallel_reduce(tbb::blocked_range<int>(0, panorama.height, 16), Brightness(), add_rows, sum);
+}
+
+// The least start of a bin that leaves few enough texels above.
+float choose_limit(const Brightness& brightness, std::size_t texels)
+{
+    const double mean = brightness.integral / (4.0 * std::numbers::pi);
+    const double most = std::min(most_of_all * static_cast<double>(texels), most_peaks);
+    const std::size_t least = Brightness::bin(static_cast<float>(least_over_mean * mean)) + 1;
+    std::size_t bin = Brightness::bins - 1;
+    double above = 0.0;
+    while (bin > least && above + brightness.count[bin] <= most)
+        above += brightness.count[bin--];
+    // Of the bin itself some did not fit, or it is the least.
+    return Brightness::start(bin < least ? least : bin + (bin > least ? 1 : 0));
 }
 
 Peak cut_off(const Panorama& panorama, int x, int y, double limit)
@@ -82,23 +117,43 @@ void covered(double along, double axis, double radius, int size, int& first, int
     last = std::clamp(texel(std::min(middle + half, quarter)), 0, size - 1);
 }
 
-// Calls visit(face, x, y, weight) for each texel that the Gaussian reaches; weight is not normalised.
-template <class Visit>
-void for_each_reached(const Peak& peak, double deviation, int size, Visit&& visit)
+// A texel that a peak's Gaussian reaches, and its share of the light.
+struct Reached {
+    std::uint16_t* texel;
+    double weight;
+};
+
+// Fills `reached`; returns the sum of weight times solid angle, which is not normalised.
+double reach(const Peak& peak, double deviation, int level, CubeChain& chain, std::vector<Reached>& reached)
 {
-    constexpr double reach = 3.5;
+    constexpr double furthest = 3.5;
+    const int size = chain.face_size(level);
     const in_double::vec3 d(peak.direction[0], peak.direction[1], peak.direction[2]);
+    const double texel = 2.0 / size;
+    double total = 0.0;
+    reached.clear();
     for (int face = 0; face < 6; ++face) {
-        const TexelBox box = texels_within(peak, reach * deviation, face, size);
+        const TexelBox box = texels_within(peak, furthest * deviation, face, size);
         for (int y = box.y0; y <= box.y1; ++y)
             for (int x = box.x0; x <= box.x1; ++x) {
-                const Direction t =
-                    cube_direction(face, (2.0 * x + 1.0) / size - 1.0, (2.0 * y + 1.0) / size - 1.0);
-                const double angle = std::acos(std::clamp(t.x * d.x + t.y * d.y + t.z * d.z, -1.0, 1.0));
-                if (angle < reach * deviation)
-                    visit(face, x, y, std::exp(-0.5 * angle * angle / (deviation * deviation)));
+                const double s = (x + 0.5) * texel - 1.0, t = (y + 0.5) * texel - 1.0;
+                const double cube = 1.0 / std::sqrt(1.0 + s * s + t * t);
+                const double cosine = cube * dot(in_double::direction_from_cube(face, s, t), d);
+                // The square of the angle, from that of the chord. 1e-4 off at one radian.
+                const double chord = std::max(2.0 - 2.0 * cosine, 0.0);
+                const double square = chord * (1.0 + chord * (1.0 / 12.0 + chord / 90.0));
+                const double deviations = square / (deviation * deviation);
+                if (deviations > furthest * furthest)
+                    continue;
+                const double weight = std::exp(-0.5 * deviations);
+                // At fine levels the middle of a texel stands for all of it.
+                const double area =
+                    size >= 64 ? texel * texel * cube * cube * cube : cube_texel_solid_angle(size, x, y);
+                reached.push_back({chain.halfs() + 3 * chain.texel(level, face, x, y), weight});
+                total += weight * area;
             }
     }
+    return total;
 }
 
 } // namespace
@@ -117,18 +172,15 @@ TexelBox texels_within(const Peak& peak, double radius, int face, int face_size)
 
 Peaks find_peaks(const Panorama& panorama)
 {
+    std::vector<float> brightest(static_cast<std::size_t>(panorama.height));
+    const Brightness brightness = measure(panorama, brightest);
     Peaks result;
-    double limit = least_over_mean * mean_radiance(panorama);
-    const double most = most_of_all * static_cast<double>(panorama.texels.size());
-    while (limit > 0.0 && static_cast<double>(texels_above(panorama, limit)) > most)
-        limit *= 2.0;
-    result.limit = static_cast<float>(limit);
-    if (limit <= 0.0)
-        return result;
+    result.limit = choose_limit(brightness, panorama.texels.size());
     for (int y = 0; y < panorama.height; ++y)
-        for (int x = 0; x < panorama.width; ++x)
-            if (largest_channel(panorama.radiance(x, y)) > limit)
-                result.peaks.push_back(cut_off(panorama, x, y, limit));
+        if (brightest[static_cast<std::size_t>(y)] > result.limit)
+            for (int x = 0; x < panorama.width; ++x)
+                if (largest_channel(panorama.radiance(x, y)) > static_cast<double>(result.limit))
+                    result.peaks.push_back(cut_off(panorama, x, y, static_cast<double>(result.limit)));
     return result;
 }
 
@@ -166,18 +218,14 @@ std::vector<Peak> merged(const std::vector<Peak>& peaks, float spacing)
 
 void add_gaussians(const std::vector<Peak>& peaks, float deviation, int level, CubeChain& chain)
 {
-    const int size = chain.face_size(level);
+    std::vector<Reached> reached;
     for (const Peak& peak : peaks) {
-        double total = 0.0;
-        for_each_reached(peak, deviation, size, [&](int, int x, int y, double weight) {
-            total += weight * cube_texel_solid_angle(size, x, y);
-        });
-        for_each_reached(peak, deviation, size, [&](int face, int x, int y, double weight) {
-            std::uint16_t* texel = chain.halfs() + 3 * chain.texel(level, face, x, y);
+        const double total = reach(peak, static_cast<double>(deviation), level, chain, reached);
+        for (const auto& [texel, weight] : reached) {
             const float share = static_cast<float>(weight / total) / chain.scale;
             for (int k = 0; k < 3; ++k)
                 texel[k] = to_half(from_half(texel[k]) + peak.light[k] * share);
-        });
+        }
     }
 }
 

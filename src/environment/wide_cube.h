@@ -321,13 +321,54 @@ HWY_INLINE vec3 cube_trilinear(CubeView cube, vec3 d, Real level)
     return sums.first();
 }
 
+// Samples of one level, added up.
+class LevelSums {
+public:
+    HWY_INLINE LevelSums(CubeView cube, Int level) : halfs_(cube.halfs), shape_(level_shape(cube, level))
+    {
+        memset(sums_, 0, sizeof sums_);
+    }
+
+    // From direction d, any length.
+    HWY_INLINE void add(vec3 d)
+    {
+        place_taps(shape_, face_point(d), queue_[queued_]);
+        if (++queued_ == queue_length)
+            flush();
+    }
+
+    HWY_INLINE vec3 sum()
+    {
+        if (queued_ > 0)
+            flush();
+        return load_sums(sums_);
+    }
+
+private:
+    static constexpr int queue_length = 8;
+
+    HWY_INLINE void flush()
+    {
+        for (size_t lane = 0; lane < lane_count; ++lane) {
+            TexelPair total = load_pair(sums_[lane]);
+            for (int i = 0; i < queued_; ++i)
+                total = plus(total, filtered(halfs_, queue_[i], lane), 1.0f);
+            store_pair(total, sums_[lane]);
+        }
+        queued_ = 0;
+    }
+
+    const uint16_t* halfs_;
+    LevelShape shape_;
+    int queued_ = 0;
+    LevelTaps queue_[queue_length];
+    alignas(64) float sums_[max_lanes][8];
+};
+
 // One sample at a whole level.
 HWY_INLINE vec3 cube_bilinear(CubeView cube, vec3 d, Int level)
 {
-    LevelTaps taps;
-    place_taps(level_shape(cube, level), face_point(d), taps);
-    alignas(64) float sums[max_lanes][8];
-    for (size_t lane = 0; lane < lane_count; ++lane)
-        store_pair(filtered(cube.halfs, taps, lane), sums[lane]);
-    return load_sums(sums);
+    LevelSums sums(cube, level);
+    sums.add(d);
+    return sums.sum();
 }

@@ -13,10 +13,17 @@ namespace {
 
 using Real = double;
 using Mask = bool;
-using std::abs, std::acos, std::cos, std::exp2, std::floor, std::log2, std::max, std::min, std::sin, std::sqrt;
+using std::abs, std::acos, std::cos, std::exp2, std::floor, std::log2, std::max, std::min, std::sin,
+    std::sqrt;
 
-inline Real atan(Real y, Real x) { return std::atan2(y, x); }
-inline Real inversesqrt(Real a) { return 1.0 / sqrt(a); }
+inline Real atan(Real y, Real x)
+{
+    return std::atan2(y, x);
+}
+inline Real inversesqrt(Real a)
+{
+    return 1.0 / sqrt(a);
+}
 // A number as mantissa * 4^exponent, mantissa in [1, 4).
 struct PowersOfFour {
     Real mantissa, exponent;
@@ -28,7 +35,10 @@ inline PowersOfFour powers_of_four(Real a)
     return {a * exp2(-2.0 * exponent), exponent};
 }
 
-inline Real select(Mask m, Real yes, Real no) { return m ? yes : no; }
+inline Real select(Mask m, Real yes, Real no)
+{
+    return m ? yes : no;
+}
 
 #include "equations/vectors.h"
 

@@ -1,5 +1,6 @@
 // GLSL's vec2, vec3 and mat3 over the Real in scope. Included inside the namespace of each C++ backend: no guard.
 
+// clang-format off: tables of one-line functions are read down their columns
 inline Real clamp(Real a, Real low, Real high) { return min(max(a, low), high); }
 inline Real mix(Real a, Real b, Real t) { return a + t * (b - a); }
 

@@ -9,7 +9,10 @@ HWY_INLINE Real reciprocal(Real a)
     return hn::Mul(r.v, hn::NegMulAdd(a.v, r.v, Real(2.0).v));
 }
 
-HWY_INLINE Real operator/(Real a, Real b) { return a * reciprocal(b); }
+HWY_INLINE Real operator/(Real a, Real b)
+{
+    return a * reciprocal(b);
+}
 
 // 1 / sqrt(a) for a > 0: the hardware's estimate and one Newton-Raphson step; relative error 4e-7. The fallback's
 // estimate is too coarse for that.
@@ -47,8 +50,8 @@ HWY_INLINE Real log2(Real a)
     const Int offset = hn::Sub(bits(a), integer(0x3f3504f3));
     const Int exponent = hn::ShiftRight<23>(offset);
     const Real t = from_bits(hn::Sub(bits(a), hn::ShiftLeft<23>(exponent))) - 1.0;
-    const Real p = polynomial(t, -0.145809814, 0.234041572, -0.248877123, 0.287098825, -0.360239625, 0.480923235,
-                              -0.721352816, 1.4426949);
+    const Real p = polynomial(t, -0.145809814, 0.234041572, -0.248877123, 0.287098825, -0.360239625,
+                              0.480923235, -0.721352816, 1.4426949);
     return hn::MulAdd(p.v, t.v, to_real(exponent).v);
 }
 
@@ -57,8 +60,8 @@ HWY_INLINE Real exp2(Real a)
 {
     const Real clamped = min(max(a, -126.0), 127.0);
     const Real n = hn::Round(clamped.v);
-    const Real p = polynomial(clamped - n, 0.00132764666, 0.00967554096, 0.0555071346, 0.240221202, 0.693146944,
-                              1.00000012);
+    const Real p = polynomial(clamped - n, 0.00132764666, 0.00967554096, 0.0555071346, 0.240221202,
+                              0.693146944, 1.00000012);
     return from_bits(hn::Add(bits(p), hn::ShiftLeft<23>(truncated(n))));
 }
 
@@ -78,11 +81,18 @@ HWY_INLINE Real atan(Real y, Real x)
 HWY_INLINE Real acos(Real a)
 {
     const Real b = abs(a);
-    const Real p = polynomial(b, -0.00463306624, 0.0200193431, -0.0454821214, 0.0880399346, -0.214529768, 1.57079554);
+    const Real p =
+        polynomial(b, -0.00463306624, 0.0200193431, -0.0454821214, 0.0880399346, -0.214529768, 1.57079554);
     const Real angle = p * sqrt(max(1.0 - b, 0.0));
     return select(a < 0.0, 3.141592653589793 - angle, angle);
 }
 
 // Absolute error 2e-7 for |a| up to 39000.
-HWY_INLINE Real sin(Real a) { return hn::Sin(FloatTag(), a.v); }
-HWY_INLINE Real cos(Real a) { return hn::Cos(FloatTag(), a.v); }
+HWY_INLINE Real sin(Real a)
+{
+    return hn::Sin(FloatTag(), a.v);
+}
+HWY_INLINE Real cos(Real a)
+{
+    return hn::Cos(FloatTag(), a.v);
+}

@@ -206,7 +206,9 @@ TEST(Run, OutputsThatCannotBeWrittenAreFive)
     expect_failure(lambent({"render", "sphere", "-o", folder.path("x.png"), "--size", "8x8", "--layers",
                             folder.path("file")}),
                    5);
-    expect_failure(lambent({"render", "sphere", "-o", "/dev/full.png"}), 5);
+    std::filesystem::create_directory(folder.path("folder.png"));
+    expect_failure(lambent({"render", "sphere", "-o", folder.path("folder.png"), "--size", "8x8"}), 5);
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"file", "folder.png"}));
 }
 
 TEST(Run, WarningsAreLinesToo)

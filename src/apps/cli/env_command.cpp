@@ -25,10 +25,10 @@ void run(const EnvArguments& arguments)
     watch.lap("write");
     if (arguments.common.stats_json) {
         nlohmann::ordered_json stats = {{"command", "env"},
-                                {"environment", arguments.name},
-                                {"output", arguments.output},
-                                {"width", panorama.width},
-                                {"height", panorama.height}};
+                                        {"environment", arguments.name},
+                                        {"output", arguments.output},
+                                        {"width", panorama.width},
+                                        {"height", panorama.height}};
         add_cost(watch, stats);
         print(stats);
     }

@@ -74,14 +74,18 @@ image::CodeImage picture_of(const Layer& layer, const display::Settings& display
 
 } // namespace
 
-void write_layers(const std::vector<draw::Layer>& layers, const std::filesystem::path& folder,
-                  const display::Settings& display)
+void make_layer_folder(const std::filesystem::path& folder)
 {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error)
         throw Error(Failure::cannot_write,
                     text(folder.string(), ": cannot make the folder: ", error.message()));
+}
+
+void write_layers(const std::vector<draw::Layer>& layers, const std::filesystem::path& folder,
+                  const display::Settings& display)
+{
     tbb::parallel_for(std::size_t{0}, layers.size(), [&](std::size_t i) {
         image::write_radiance(layers[i].image, folder / (layers[i].name + ".exr"));
         image::write_codes(picture_of(layers[i], display), folder / (layers[i].name + ".png"));

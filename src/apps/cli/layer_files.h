@@ -9,7 +9,11 @@
 
 namespace lambent::cli {
 
-/// Writes each layer into a folder, which is made if it does not exist: NAME.exr as it is, and NAME.png to look at
+/// Makes the folder for layers if it does not exist: before the drawing, so that nobody waits for an error.
+/// Throws Error(cannot_write).
+void make_layer_folder(const std::filesystem::path& folder);
+
+/// Writes each layer into a folder: NAME.exr as it is, and NAME.png to look at
 /// (light as displayed, normals from -1..1 to 0..1, depth from near white to far black, exponents by their logarithm).
 /// Throws Error(cannot_write).
 void write_layers(const std::vector<draw::Layer>& layers, const std::filesystem::path& folder,

@@ -60,7 +60,7 @@ draw::Camera choose_camera(const RenderArguments& arguments, const scene::Scene&
 }
 
 nlohmann::ordered_json describe(const RenderArguments& arguments, const scene::Scene& scene,
-                        const draw::Renderer& renderer)
+                                const draw::Renderer& renderer)
 {
     const draw::Renderer::Device device = renderer.device();
     return {{"command", "render"},
@@ -89,6 +89,8 @@ void write(const RenderArguments& arguments, const draw::Frame& frame)
 void run(const RenderArguments& arguments)
 {
     check_picture_file(arguments.output);
+    if (!arguments.layers.empty())
+        make_layer_folder(arguments.layers);
     const ThreadLimit limit(arguments.common.threads);
     Console console(arguments.common.verbosity);
     Stopwatch watch;
