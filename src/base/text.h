@@ -15,4 +15,13 @@ std::string text(const Parts&... parts)
     return out.str();
 }
 
+/// A message that stays on its line whatever the names in it: control characters become question marks.
+inline std::string one_line(std::string message)
+{
+    for (char& c : message)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+            c = '?';
+    return message;
+}
+
 } // namespace lambent

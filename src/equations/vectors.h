@@ -1,6 +1,7 @@
 // GLSL's vec2, vec3 and mat3 over the Real in scope. Included inside the namespace of each C++ backend: no guard.
 
-// clang-format off: tables of one-line functions are read down their columns
+// Tables of one-line functions are read down their columns.
+// clang-format off
 inline Real clamp(Real a, Real low, Real high) { return min(max(a, low), high); }
 inline Real mix(Real a, Real b, Real t) { return a + t * (b - a); }
 

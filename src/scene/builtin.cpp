@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "equations/in_double.h"
 #include "scene/shapes.h"
 #include "scene/teapot.h"
 
@@ -26,14 +27,14 @@ int scaled(int usual, const BuiltinOptions& options)
     return std::max(3, static_cast<int>(std::lround(usual * options.density)));
 }
 
-// Exponent and GGX alpha whose highlights are about as wide: exponent = 2 / alpha^2 - 2. [Walter et al.,
-// "Microfacet Models for Refraction through Rough Surfaces", 2007, for Beckmann's alpha]
 float exponent_of(float perceptual_roughness)
 {
-    const float alpha = perceptual_roughness * perceptual_roughness;
-    return std::clamp(2.0f / std::max(alpha * alpha, 1e-12f) - 2.0f, 0.1f, highest_exponent);
+    const double alpha =
+        static_cast<double>(perceptual_roughness) * static_cast<double>(perceptual_roughness);
+    return static_cast<float>(in_double::phong_exponent(alpha));
 }
 
+// The inverse.
 float perceptual_roughness_of(float exponent)
 {
     return std::pow(2.0f / (exponent + 2.0f), 0.25f);

@@ -3,7 +3,8 @@
 // No friend function is defined inside a class: g++ 12 would compile it for the baseline instead of the target.
 // Never built with -ffast-math: it cancels the additions by which Highway rounds on SSSE3.
 
-// clang-format off: tables of one-line functions are read down their columns
+// Tables of one-line functions are read down their columns.
+// clang-format off
 namespace hn = hwy::HWY_NAMESPACE;
 
 using FloatTag = hn::ScalableTag<float>;

@@ -1,12 +1,11 @@
 // Files made to break programs: each is refused in one line, with code 3, at once, in little memory, and no output
 // file is left.
-#include "tests/support/process.h"
+#include "tests/cli/lambent.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <functional>
 
 namespace lambent {
@@ -14,16 +13,6 @@ namespace {
 
 using testing::Folder;
 using testing::Outcome;
-
-Outcome lambent(const std::vector<std::string>& words)
-{
-    return testing::run_program(LAMBENT_PROGRAM, words);
-}
-
-void write_bytes(const std::string& path, const std::string& bytes)
-{
-    std::ofstream(path, std::ios::binary) << bytes;
-}
 
 // A 64x32 Radiance file of run-length coded rows.
 std::string good_hdr()

@@ -1,5 +1,5 @@
 // The program as its users meet it: what it writes, what it says, how it ends.
-#include "tests/support/process.h"
+#include "tests/cli/lambent.h"
 
 #include "image/image_io.h"
 
@@ -9,23 +9,12 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 namespace lambent {
 namespace {
 
 using testing::Folder;
 using testing::Outcome;
-
-Outcome lambent(const std::vector<std::string>& words)
-{
-    return testing::run_program(LAMBENT_PROGRAM, words);
-}
-
-void write_text(const std::string& path, const std::string& text)
-{
-    std::ofstream(path, std::ios::binary) << text;
-}
 
 // One line, of the documented form, and nothing on standard output.
 void expect_failure(const Outcome& outcome, int code)
@@ -169,7 +158,7 @@ TEST(Run, InfoSaysWhatIsInAFile)
     const nlohmann::json info =
         nlohmann::json::parse(lambent({"info", folder.path("e.hdr"), "--json"}).output);
     EXPECT_EQ(info["height"], 64);
-    write_text(folder.path("m.gltf"), R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[]}],"scene":0})");
+    write_bytes(folder.path("m.gltf"), R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[]}],"scene":0})");
     const nlohmann::json scene =
         nlohmann::json::parse(lambent({"info", folder.path("m.gltf"), "--json"}).output);
     EXPECT_EQ(scene["triangles"], 0);
@@ -178,7 +167,7 @@ TEST(Run, InfoSaysWhatIsInAFile)
 TEST(Run, AnEmptySceneIsItsBackground)
 {
     const Folder folder;
-    write_text(folder.path("m.gltf"), R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[]}],"scene":0})");
+    write_bytes(folder.path("m.gltf"), R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[]}],"scene":0})");
     const Outcome outcome = lambent(
         {"render", folder.path("m.gltf"), "--env", "furnace", "-o", folder.path("x.exr"), "--size", "16x9"});
     ASSERT_EQ(outcome.code, 0) << outcome.error;
@@ -201,7 +190,7 @@ TEST(Run, OutputsThatCannotBeWrittenAreFive)
     const Folder folder;
     expect_failure(lambent({"render", "sphere", "-o", folder.path("no/such/folder/x.png")}), 5);
     expect_failure(lambent({"env", "sky", "-o", folder.path("no/x.hdr")}), 5);
-    write_text(folder.path("file"), "x");
+    write_bytes(folder.path("file"), "x");
     expect_failure(lambent({"render", "sphere", "-o", folder.path("file/x.png"), "--size", "8x8"}), 5);
     expect_failure(lambent({"render", "sphere", "-o", folder.path("x.png"), "--size", "8x8", "--layers",
                             folder.path("file")}),
@@ -218,7 +207,7 @@ TEST(Run, WarningsAreLinesToo)
     std::string hdr = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 4\n";
     for (int i = 0; i < 8; ++i)
         hdr += i == 3 ? std::string("\xff\xff\xff\xff", 4) : std::string("\x80\x80\x80\x81", 4);
-    write_text(folder.path("hot.hdr"), hdr);
+    write_bytes(folder.path("hot.hdr"), hdr);
     const Outcome outcome = lambent(
         {"render", "sphere", "--env", folder.path("hot.hdr"), "-o", folder.path("x.exr"), "--size", "16x9"});
     EXPECT_EQ(outcome.code, 0);

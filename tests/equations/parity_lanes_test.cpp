@@ -1,5 +1,6 @@
 // The text over the lanes of every Highway target of this processor against the text in double.
 #include "tests/equations/parity.h"
+#include "tests/support/each_target.h"
 
 #include <gtest/gtest.h>
 #include <hwy/highway.h>
@@ -11,19 +12,7 @@
 namespace lambent::test {
 namespace {
 
-class Parity : public testing::TestWithParam<int64_t> {
-protected:
-    void SetUp() override
-    {
-        hwy::SetSupportedTargetsForTest(GetParam());
-        hwy::GetChosenTarget().DeInit();
-    }
-    void TearDown() override
-    {
-        hwy::SetSupportedTargetsForTest(0);
-        hwy::GetChosenTarget().DeInit();
-    }
-};
+class Parity : public EachTarget {};
 
 TEST_P(Parity, LanesAgreeWithDouble)
 {

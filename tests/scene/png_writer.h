@@ -1,4 +1,4 @@
-// The simplest valid PNG: one stored (uncompressed) zlib block, no filters.
+// RGBA pictures as PNG files, for textures.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ struct Pixels {
     std::vector<std::uint16_t> values; ///< RGBA
 };
 
-/// Below 64 KiB of pixels.
+/// The bytes of the file, not compressed.
 std::vector<std::uint8_t> make_png(const Pixels& pixels);
 
 } // namespace lambent::scene::test

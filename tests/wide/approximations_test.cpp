@@ -1,6 +1,7 @@
 // The error of every approximation over its range, for every Highway target of this processor: the bounds are
 // those that src/wide/approximations.h states.
 #include "tests/wide/evaluate.h"
+#include "tests/support/each_target.h"
 
 #include <gtest/gtest.h>
 #include <hwy/highway.h>
@@ -14,19 +15,7 @@
 namespace lambent::test {
 namespace {
 
-class Approximations : public testing::TestWithParam<int64_t> {
-protected:
-    void SetUp() override
-    {
-        hwy::SetSupportedTargetsForTest(GetParam());
-        hwy::GetChosenTarget().DeInit();
-    }
-    void TearDown() override
-    {
-        hwy::SetSupportedTargetsForTest(0);
-        hwy::GetChosenTarget().DeInit();
-    }
-};
+class Approximations : public EachTarget {};
 
 constexpr int points = 1 << 18;
 

@@ -332,8 +332,8 @@ struct Grammar {
         add_output(command, env.output, "The panorama: .hdr or .exr");
         option(command, "--size", words.size, "WxH", "Size in texels, twice as wide as high (1024x512)");
         option(command, "--sun", words.sun, "AZ,EL",
-               "sky: where the sun stands, degrees, as --camera (132,40)");
-        option(command, "--turbidity", words.turbidity, "T", "sky: haze, 1.5 to 10 (3)");
+               "sky: where the sun stands, degrees, as --camera (-46,40)");
+        option(command, "--turbidity", words.turbidity, "T", "sky: haze, 1.5 to 10 (2.2)");
         add_common(command, words);
     }
 

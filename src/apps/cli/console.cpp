@@ -1,5 +1,7 @@
 #include "apps/cli/console.h"
 
+#include "base/text.h"
+
 #include <cstdio>
 
 #include <unistd.h>
@@ -24,13 +26,13 @@ void Console::warn(const Warnings& warnings) const
     if (verbosity_ == Verbosity::quiet)
         return;
     for (const std::string& line : warnings)
-        std::fprintf(stderr, "lambent: warning: %s\n", line.c_str());
+        std::fprintf(stderr, "lambent: warning: %s\n", one_line(line).c_str());
 }
 
 void Console::remark(const std::string& line) const
 {
     if (verbosity_ == Verbosity::verbose)
-        std::fprintf(stderr, "lambent: %s\n", line.c_str());
+        std::fprintf(stderr, "lambent: %s\n", one_line(line).c_str());
 }
 
 void Console::progress(float done)

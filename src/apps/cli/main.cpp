@@ -1,6 +1,7 @@
 #include "apps/cli/arguments.h"
 #include "apps/cli/commands.h"
 #include "base/error.h"
+#include "base/text.h"
 
 #include <cstdio>
 #include <exception>
@@ -25,7 +26,7 @@ void run(const cli::Arguments& arguments)
 
 int fail(Failure failure, const char* line)
 {
-    std::fprintf(stderr, "lambent: error: %s\n", line);
+    std::fprintf(stderr, "lambent: error: %s\n", one_line(line).c_str());
     return static_cast<int>(failure);
 }
 

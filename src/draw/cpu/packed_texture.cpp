@@ -164,7 +164,7 @@ PackedTexture pack_texture(const image::CodeImage& image, const scene::Sampler& 
     texture.light = tables(transfer).light.data();
     texture.alpha = tables(TexelTransfer::none).light.data();
     const unsigned longer = static_cast<unsigned>(std::max(image.width, image.height));
-    texture.levels = sampler.mipmapped ? std::bit_width(longer) : 1;
+    texture.levels = sampler.mipmapped ? static_cast<int>(std::bit_width(longer)) : 1;
     texture.levels = std::min(texture.levels, PackedTexture::most_levels);
     std::int64_t texels = 0;
     int width = image.width, height = image.height;

@@ -1,0 +1,25 @@
+// Valid command lines, a word a line, for fuzz_cli to start from.
+#include "tests/fuzz/seed_files.h"
+
+#include <string_view>
+
+int main(int argc, char** argv)
+{
+    if (argc != 2)
+        return 2;
+    constexpr std::string_view seeds[] = {
+        "render\nreport\n-o\na.png\n--size\n64x48\n--camera\n30,20,4\n--fov\n40\n--aa\n4\n--samples\n40",
+        "render\nsphere\n-o\na.exr\n--model\nphong\n--alpha\n625\n--kd\n1,0,0\n--ks\n0,0,1\n--mip-"
+        "level\nreport",
+        "render\nteapot\n-o\na.hdr\n--light\ndirectional:10,20,1,1,1\n--light\npoint:1,2,3,4,5,6\n--"
+        "env\nnone",
+        "render\nplane\n-o\na.jpg\n--background\nblur:0.5\n--env-rotation\n90\n--exposure\n2\n--contrast\n1."
+        "2",
+        "render\ngrid\n-o\na.png\n--background\n1,1,1\n--tone\naces\n--space\nnonlinear\n--stats\njson\n--"
+        "quiet",
+        "env\nsky\n-o\nsky.hdr\n--size\n512x256\n--sun\n10,20\n--turbidity\n3",
+        "info\na.glb\n--json",
+        "--help",
+    };
+    return lambent::fuzz::write_seeds(argv[1], seeds);
+}
