@@ -13,7 +13,13 @@ namespace lambent::environment {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr float unit = 1.0f / sky_nits_per_unit;
+
+// From nits or lux to the panorama's unit. Colours beyond Rec. 709 lose their negative part.
+Rgb in_units(const Rgb& c)
+{
+    constexpr float unit = 1.0f / sky_nits_per_unit;
+    return {std::max(0.0f, unit * c.r), std::max(0.0f, unit * c.g), std::max(0.0f, unit * c.b)};
+}
 
 // Azimuth in the panorama of a direction at a camera's azimuth: the panorama's middle is +X and +Z lies to its right, a
 // camera's azimuth starts at +Z and turns towards +X.
@@ -53,13 +59,15 @@ void fill_row(const SkyTable::Row& row, const RowGeometry& geometry, const std::
 {
     for (const Column& column : columns) {
         const double cosine = geometry.level + geometry.across * static_cast<double>(column.cosine);
-        const float air = unit * static_cast<float>(air_phase(cosine));
-        const float haze = unit * static_cast<float>(haze_phase(cosine, geometry.ring));
+        const float air = static_cast<float>(air_phase(cosine));
+        const float haze = static_cast<float>(haze_phase(cosine, geometry.ring));
         const SkyLight light = between(row, column.angle, column.fraction);
-        // Colours beyond Rec. 709 lose their negative part.
-        *texels++ = std::max(0.0f, air * light.air.r + haze * light.haze.r + unit * light.even.r);
-        *texels++ = std::max(0.0f, air * light.air.g + haze * light.haze.g + unit * light.even.g);
-        *texels++ = std::max(0.0f, air * light.air.b + haze * light.haze.b + unit * light.even.b);
+        const Rgb sum = in_units({air * light.air.r + haze * light.haze.r + light.even.r,
+                                  air * light.air.g + haze * light.haze.g + light.even.g,
+                                  air * light.air.b + haze * light.haze.b + light.even.b});
+        *texels++ = sum.r;
+        *texels++ = sum.g;
+        *texels++ = sum.b;
     }
 }
 
@@ -81,9 +89,8 @@ image::RadianceImage make_sky(const BuiltinOptions& options)
                                    std::cos(elevation) * std::cos(sun_elevation), sky.ring(elevation)};
         fill_row(table.row(elevation), geometry, columns, panorama.pixel(0, y));
     });
-    const Rgb sun = sky.sun_illuminance();
-    add_sun({sun_azimuth, sun_elevation, sky.ground_edge(), {unit * sun.r, unit * sun.g, unit * sun.b}},
-            panorama);
+    const Rgb sun = in_units(sky.sun_illuminance());
+    add_sun({sun_azimuth, sun_elevation, sky.ground_edge(), sun}, panorama);
     return panorama;
 }
 

@@ -64,9 +64,11 @@ public:
     }
 
 private:
-    // Columns within which the disc lies at a row: half of them, on either side of its centre.
-    int half_columns(double sine) const
+    // Columns within which the disc lies at a row: half of them, on either side of its centre. At the row's upper edge,
+    // which is closer to the zenith, they are the most.
+    int half_columns(int row) const
     {
+        const double sine = std::sin(row * pi / height_);
         const double angle = sine > sun_radius ? std::asin(std::min(1.0, sun_radius / sine)) : pi;
         return std::min(width_ / 2, static_cast<int>(std::ceil(2.0 * angle / (2.0 * pi) * width_)) + 1);
     }
@@ -77,7 +79,7 @@ private:
         const double sine = std::sin(std::clamp((row + 0.5) * step, 0.0, pi));
         const int across = std::max(2, static_cast<int>(std::ceil(points * sine)));
         const int middle = static_cast<int>(std::floor((sun.azimuth / (2.0 * pi) + 0.5) * width_));
-        const int half = half_columns(sine);
+        const int half = half_columns(row);
         for (int j = 0; j < points; ++j) {
             const double y = row + (j + 0.5) / points;
             const double elevation = 0.5 * pi - y * step;
