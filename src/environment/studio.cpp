@@ -36,9 +36,9 @@ std::vector<PlacedSoftbox> softboxes()
 glm::vec3 room(const glm::vec3& d)
 {
     const float floor = glm::smoothstep(0.25f, -0.6f, d.y);
-    const float wall = 0.13f - 0.05f * d.y;
-    const float glow = 0.07f * std::exp(-16.0f * (d.y + 0.1f) * (d.y + 0.1f)) * (0.7f - 0.3f * d.z);
-    return glm::mix(wall, 0.34f, floor) * glm::vec3(1.0f, 0.99f, 0.975f) +
+    const float wall = 0.06f - 0.03f * d.y;
+    const float glow = 0.09f * std::exp(-16.0f * (d.y + 0.1f) * (d.y + 0.1f)) * (0.7f - 0.3f * d.z);
+    return glm::mix(wall, 0.11f, floor) * glm::vec3(1.0f, 0.99f, 0.975f) +
            glow * glm::vec3(0.96f, 0.98f, 1.0f);
 }
 
