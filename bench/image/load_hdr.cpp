@@ -17,7 +17,6 @@
 
 namespace {
 
-using lambent::bench::seconds;
 using lambent::image::RadianceImage;
 
 constexpr int width = 4096;

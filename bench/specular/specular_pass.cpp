@@ -22,10 +22,11 @@ environment::Environment environment_of_formula(int width)
 {
     image::RadianceImage image{width, width / 2, 3, {}};
     image.values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(width / 2) * 3);
-    for (int y = 0; y < width / 2; ++y)
+    const int height = width / 2;
+    for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const double phi = ((x + 0.5) / width - 0.5) * 2 * std::numbers::pi;
-            const double theta = (y + 0.5) / (width / 2) * std::numbers::pi;
+            const double theta = (y + 0.5) / height * std::numbers::pi;
             const float d[3] = {static_cast<float>(std::sin(theta) * std::cos(phi)),
                                 static_cast<float>(std::cos(theta)),
                                 static_cast<float>(std::sin(theta) * std::sin(phi))};

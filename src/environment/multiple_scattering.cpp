@@ -80,7 +80,8 @@ MultipleScattering::MultipleScattering(const Atmosphere& atmosphere, double sun_
     : first_angle_(0.5 * std::numbers::pi - sun_elevation - angle_span), table_(altitudes * angles)
 {
     tbb::parallel_for(0, altitudes * angles, [&](int i) {
-        const double t = static_cast<double>(i / angles) / (altitudes - 1);
+        const int altitude = i / angles;
+        const double t = static_cast<double>(altitude) / (altitudes - 1);
         const double angle = first_angle_ + 2.0 * angle_span * (i % angles) / (angles - 1);
         table_[static_cast<std::size_t>(i)] =
             arriving_at(atmosphere, {t * t * Atmosphere::height, std::cos(angle)});

@@ -98,23 +98,25 @@ Peak cut_off(const Panorama& panorama, int x, int y, double limit)
              static_cast<float>(c.b * excess)}};
 }
 
-// Range of texels that the interval of angles about `along` (over `axis`) covers, by projection on the face.
-void covered(double along, double axis, double radius, int size, int& first, int& last)
+// First and last of the texels.
+struct Interval {
+    int first, last;
+};
+
+// The texels that the interval of angles about `along` (over `axis`) covers, by projection on the face; none: 0 to -1.
+Interval covered(double along, double axis, double radius, int size)
 {
     const double length = std::hypot(along, axis);
     const double sine = std::sin(std::min(radius, std::numbers::pi / 2)) / std::max(length, 1e-12);
     const double half = sine >= 1.0 || radius >= std::numbers::pi / 2 ? std::numbers::pi : std::asin(sine);
     const double middle = std::atan2(along, axis), quarter = std::numbers::pi / 4;
-    if (middle - half > quarter || middle + half < -quarter) {
-        first = 0;
-        last = -1;
-        return;
-    }
+    if (middle - half > quarter || middle + half < -quarter)
+        return {0, -1};
     const auto texel = [size](double angle) {
-        return static_cast<int>(std::floor((std::tan(angle) * 0.5 + 0.5) * size));
+        const int i = static_cast<int>(std::floor((std::tan(angle) * 0.5 + 0.5) * size));
+        return std::clamp(i, 0, size - 1);
     };
-    first = std::clamp(texel(std::max(middle - half, -quarter)), 0, size - 1);
-    last = std::clamp(texel(std::min(middle + half, quarter)), 0, size - 1);
+    return {texel(std::max(middle - half, -quarter)), texel(std::min(middle + half, quarter))};
 }
 
 // A texel that a peak's Gaussian reaches, and its share of the light.
@@ -164,10 +166,9 @@ TexelBox texels_within(const Peak& peak, double radius, int face, int face_size)
     const in_double::vec3 axis = in_double::direction_from_cube(face, 0.0, 0.0);
     const in_double::vec3 right = in_double::direction_from_cube(face, 1.0, 0.0) - axis;
     const in_double::vec3 down = in_double::direction_from_cube(face, 0.0, 1.0) - axis;
-    TexelBox box{};
-    covered(dot(d, right), dot(d, axis), radius, face_size, box.x0, box.x1);
-    covered(dot(d, down), dot(d, axis), radius, face_size, box.y0, box.y1);
-    return box;
+    const Interval x = covered(dot(d, right), dot(d, axis), radius, face_size);
+    const Interval y = covered(dot(d, down), dot(d, axis), radius, face_size);
+    return {x.first, x.last, y.first, y.last};
 }
 
 Peaks find_peaks(const Panorama& panorama)

@@ -80,7 +80,8 @@ Spectrum ClearSky::sky_irradiance() const
 {
     const double sun_cosine = towards_sun_.cosine, sun_sine = std::sqrt(1.0 - sun_cosine * sun_cosine);
     const auto add = [&](int i, Spectrum sum) {
-        const double sine = std::sqrt((i / irradiance_sides + 0.5) / irradiance_heights);
+        const int height = i / irradiance_sides;
+        const double sine = std::sqrt((height + 0.5) / irradiance_heights);
         const double side = (i % irradiance_sides + 0.5) * std::numbers::pi / irradiance_sides;
         const Ray ray{viewer_altitude, std::sqrt(1.0 - sine * sine)};
         const double between = ray.cosine * sun_cosine + sine * sun_sine * std::cos(side);

@@ -74,15 +74,15 @@ bool has_channel(const ExrPart& part, const std::string& name)
 std::optional<Colour> find_colour(const ExrPart& part)
 {
     const auto in_layer = [&](const std::string& layer) -> std::optional<Colour> {
-        const Colour colour = {layer + "R", layer + "G", layer + "B"};
+        Colour colour = {layer + "R", layer + "G", layer + "B"};
         const bool all =
             std::ranges::all_of(colour, [&](const std::string& name) { return has_channel(part, name); });
         return all ? std::optional(colour) : std::nullopt;
     };
-    if (const auto colour = in_layer(""))
+    if (auto colour = in_layer(""))
         return colour;
     for (const ExrChannel& channel : part.channels)
-        if (const auto colour = in_layer(channel.name.substr(0, channel.name.rfind('.') + 1)))
+        if (auto colour = in_layer(channel.name.substr(0, channel.name.rfind('.') + 1)))
             return colour;
     const bool chroma = has_channel(part, "RY") || has_channel(part, "BY");
     return has_channel(part, "Y") && !chroma ? std::optional(Colour{"Y", "Y", "Y"}) : std::nullopt;

@@ -18,7 +18,7 @@ RadianceHeader header_of(ByteSource& source)
     std::vector<std::uint8_t> bytes(
         static_cast<std::size_t>(std::min<std::uint64_t>(source.size(), max_radiance_header)));
     source.read(0, bytes.data(), bytes.size());
-    const RadianceHeader header = read_radiance_header(bytes, source.name());
+    RadianceHeader header = read_radiance_header(bytes, source.name());
     // A scanline has a pixel at least, and a repeat count where it has more pixels than one.
     const std::uint64_t least = header.scanline_length() > 1 ? 8 : 4;
     if ((source.size() - header.length) / least < static_cast<std::uint64_t>(header.scanlines()))

@@ -116,6 +116,8 @@ std::vector<Camera> read_cameras(const Document& document, const NodeTree& nodes
         Camera camera = read_lens(document, source.camera);
         if (!source.name.empty())
             camera.name = source.name;
+        if (camera.name.empty())
+            camera.name = text("camera", cameras.size());
         const auto transform = rigid(nodes.world[at(node)]);
         if (!transform) {
             warnings.push_back(text(document.file, ": node ", node, ": camera without direction left out"));

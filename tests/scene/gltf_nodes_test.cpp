@@ -191,6 +191,12 @@ TEST(GltfCameras, ScaleIsTakenOut)
     expect_near(apply(c.transform, {1, 0, 0}), {1, 2, 2});
 }
 
+TEST(GltfCameras, WithoutANameItGetsItsNumber)
+{
+    const json camera = {{"type", "perspective"}, {"perspective", {{"yfov", 0.8}, {"znear", 0.1}}}};
+    EXPECT_EQ(load(with_camera(camera, json::object())).cameras.at(0).name, "camera0");
+}
+
 TEST(GltfCameras, OrthographicAndNamedByTheNode)
 {
     const json camera = {{"type", "orthographic"},

@@ -40,6 +40,7 @@ Frame blank_frame(const Settings& settings)
 std::vector<glm::vec2> subpixel_places(int count)
 {
     std::vector<glm::vec2> places;
+    places.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i)
         places.emplace_back((static_cast<float>(i) + 0.5f) / static_cast<float>(count),
                             std::fmod(radical_inverse(static_cast<unsigned>(i)) + 0.5 / count, 1.0));

@@ -47,11 +47,18 @@ HWY_INLINE void add_pair(const PackedTexture& t, size_t texel, float left, float
         sums[i] += weights[i] * values[i];
 }
 
-// Adds the bilinear value at (u, v) in [0, 1] of one level, times `weight`.
-HWY_INLINE void add_bilinear(const PackedTexture& t, int level, float u, float v, float weight, float* sums)
+// A place in [0, 1] of one level, and what is read there counts.
+struct TextureRead {
+    int level;
+    float u, v;
+    float weight;
+};
+
+// Adds the bilinear value, times its weight.
+HWY_INLINE void add_bilinear(const PackedTexture& t, TextureRead read, float* sums)
 {
-    const int width = t.width[level], height = t.height[level];
-    const float x = u * static_cast<float>(width) + 0.5f, y = v * static_cast<float>(height) + 0.5f;
+    const int level = read.level, width = t.width[level], height = t.height[level];
+    const float x = read.u * static_cast<float>(width) + 0.5f, y = read.v * static_cast<float>(height) + 0.5f;
     // + 0.5: half a texel back, one for the border; a coordinate of 1 may round up.
     const int x0 = x < static_cast<float>(width) ? static_cast<int>(x) : width;
     const int y0 = y < static_cast<float>(height) ? static_cast<int>(y) : height;
@@ -59,7 +66,7 @@ HWY_INLINE void add_bilinear(const PackedTexture& t, int level, float u, float v
     const size_t pitch = static_cast<size_t>(width) + 2;
     const size_t texel =
         static_cast<size_t>(t.start[level]) + static_cast<size_t>(y0) * pitch + static_cast<size_t>(x0);
-    const float upper = weight * (1.0f - below), lower = weight * below;
+    const float upper = read.weight * (1.0f - below), lower = read.weight * below;
     add_pair(t, texel, upper * (1.0f - right), upper * right, sums);
     add_pair(t, texel + pitch, lower * (1.0f - right), lower * right, sums);
 }
@@ -78,9 +85,9 @@ HWY_INLINE void add_reads(const PackedTexture& t, const TextureReads& reads, flo
         float sums[8] = {};
         const int fine = static_cast<int>(reads.level[lane]);
         const float fraction = reads.level[lane] - static_cast<float>(fine);
-        add_bilinear(t, fine, reads.u[lane], reads.v[lane], weight * (1.0f - fraction), sums);
+        add_bilinear(t, {fine, reads.u[lane], reads.v[lane], weight * (1.0f - fraction)}, sums);
         if (fraction > 0.0f)
-            add_bilinear(t, fine + 1, reads.u[lane], reads.v[lane], weight * fraction, sums);
+            add_bilinear(t, {fine + 1, reads.u[lane], reads.v[lane], weight * fraction}, sums);
         for (size_t i = 0; i < 4; ++i)
             rgba_per_lane[4 * lane + i] += sums[i] + sums[i + 4];
     }
