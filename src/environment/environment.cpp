@@ -1,5 +1,7 @@
 #include "environment/environment.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <bit>
 #include <cmath>
 
@@ -47,8 +49,8 @@ std::vector<Panorama> mip_chain(const Panorama& panorama)
 Environment make_environment(Panorama panorama)
 {
     Environment environment;
-    environment.chain = make_chain(panorama);
-    environment.irradiance = make_irradiance_map(panorama);
+    tbb::parallel_invoke([&] { environment.chain = make_chain(panorama); },
+                         [&] { environment.irradiance = make_irradiance_map(panorama); });
     environment.panorama = std::move(panorama);
     return environment;
 }
