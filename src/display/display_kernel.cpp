@@ -54,7 +54,9 @@ Real triangular_noise(Int x, int y, int channel)
         const Int b = hn::Mul(hn::Xor(a, hn::ShiftRight<12>(a)), integer(0x297a2d39));
         return hn::And(hn::Xor(b, hn::ShiftRight<15>(b)), integer(0xffff));
     };
-    const Int place = hn::Add(x, integer(y * 0x1f123 + channel * 0x5851));
+    // In unsigned numbers, which may overflow.
+    const uint32_t row = static_cast<uint32_t>(y) * 0x1f123u + static_cast<uint32_t>(channel) * 0x5851u;
+    const Int place = hn::Add(x, integer(static_cast<int>(row)));
     const Int other = hn::Add(place, integer(0x3ade68b));
     return to_real(hn::Sub(hash(place), hash(other))) * (1.0 / 65536.0);
 }

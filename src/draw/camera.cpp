@@ -1,6 +1,5 @@
 #include "draw/camera.h"
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <cmath>
@@ -32,8 +31,9 @@ Camera orbit_camera(const scene::Bounds& bounds, const Orbit& orbit, float verti
 {
     const bool empty = !(bounds.low.x <= bounds.high.x);
     const glm::vec3 centre = empty ? glm::vec3(0.0f) : 0.5f * (bounds.low + bounds.high);
-    const glm::vec3 half =
-        empty ? glm::vec3(1.0f) : glm::max(0.5f * (bounds.high - bounds.low), glm::vec3(1e-6f));
+    glm::vec3 half = empty ? glm::vec3(1.0f) : 0.5f * (bounds.high - bounds.low);
+    if (half == glm::vec3(0.0f)) // a single point
+        half = glm::vec3(1e-6f);
     const float sine = std::sin(orbit.elevation), cosine = std::cos(orbit.elevation);
     Camera camera;
     camera.back = {cosine * std::sin(orbit.azimuth), sine, cosine * std::cos(orbit.azimuth)};

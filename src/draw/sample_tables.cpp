@@ -1,5 +1,6 @@
 #include "draw/sample_tables.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -15,6 +16,22 @@ double fraction(double x)
     return x - std::floor(x);
 }
 
+using Lobe = SampleTables::Lobe;
+
+Lobe lobe_point(double xi1, double xi2)
+{
+    const double phi = 2.0 * std::numbers::pi * xi1;
+    return {static_cast<float>(std::log2(xi2)), static_cast<float>(std::cos(phi)),
+            static_cast<float>(std::sin(phi))};
+}
+
+Lobe hammersley(int i, int count)
+{
+    // The first radical inverse is 0, a direction square to the mirrored one; its logarithm has to be finite.
+    const double xi2 = std::max(radical_inverse(static_cast<unsigned>(i)), 0x1p-1000);
+    return lobe_point(static_cast<double>(i) / count, xi2);
+}
+
 } // namespace
 
 double radical_inverse(unsigned i)
@@ -25,20 +42,16 @@ double radical_inverse(unsigned i)
     return result;
 }
 
-SampleTables make_sample_tables(int count)
+SampleTables make_sample_tables(int count, LobePoints points)
 {
     SampleTables tables;
     for (int i = 0; i < count; ++i) {
-        const double turn = 2.0 * std::numbers::pi * fraction(i / std::numbers::phi);
-        tables.cap.push_back({static_cast<float>((i + 0.5) / count), static_cast<float>(std::cos(turn)),
+        const double golden = fraction(i / std::numbers::phi), middle = (i + 0.5) / count;
+        const double turn = 2.0 * std::numbers::pi * golden;
+        tables.cap.push_back({static_cast<float>(middle), static_cast<float>(std::cos(turn)),
                               static_cast<float>(std::sin(turn))});
-
-        // The first radical inverse is 0, a direction square to the mirrored one; its logarithm has to be finite.
-        const double xi2 = std::max(radical_inverse(static_cast<unsigned>(i)), 0x1p-1000);
-        const double phi = 2.0 * std::numbers::pi * i / count;
-        tables.lobe.push_back({static_cast<float>(std::log2(xi2)), static_cast<float>(std::cos(phi)),
-                               static_cast<float>(std::sin(phi))});
-
+        tables.lobe.push_back(points == LobePoints::spiral ? lobe_point(golden, middle)
+                                                           : hammersley(i, count));
         tables.pixel.push_back({static_cast<float>(fraction(0.5 + i / plastic) - 0.5),
                                 static_cast<float>(fraction(0.5 + i / (plastic * plastic)) - 0.5)});
     }

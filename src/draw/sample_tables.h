@@ -17,12 +17,16 @@ struct SampleTables {
         float x, y;
     };
     std::vector<Cap> cap;     ///< a sunflower spiral: xi2 in equal steps, xi1 by the golden ratio
-    std::vector<Lobe> lobe;   ///< the report's Hammersley pairs, (i / N, radical inverse of i in base 2)
+    std::vector<Lobe> lobe;   ///< the same spiral, or the report's Hammersley pairs
     std::vector<Pixel> pixel; ///< by the powers of the plastic number, independent of `cap`
 };
 
+/// What `lobe` holds. Hammersley's pairs are (i / N, radical inverse of i in base 2): around a lobe they leave gaps
+/// and crowds that show under a sun.
+enum class LobePoints { spiral, hammersley };
+
 /// `count` >= 1 samples.
-SampleTables make_sample_tables(int count);
+SampleTables make_sample_tables(int count, LobePoints points = LobePoints::spiral);
 
 /// The digits of i in base 2, mirrored about the point: 1 is 0.1, 2 is 0.01, 3 is 0.11. In [0, 1).
 double radical_inverse(unsigned i);

@@ -14,8 +14,8 @@ namespace lambent::draw {
 /// Which material model lights the surfaces: the report's, or glTF's metallic-roughness with GGX.
 enum class Model { ggx, phong };
 
-/// How coarse a level of the environment a sample of the phong model reads: matched to the sample's share of the
-/// lobe, or by the report's own formula from the panorama's own mip chain, which shows blocks.
+/// How the phong model samples the environment: points in a spiral, each read at a blur that matches its share of the
+/// lobe; or the report's Hammersley points and formula of the level in the panorama's own mip chain, which shows blocks.
 enum class MipLevel { matched, report };
 
 /// What texel codes mean: exact sRGB, the report's power of 2.2, or the codes themselves (the report's comparison).

@@ -2,6 +2,7 @@
 
 #include <tbb/parallel_invoke.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -32,6 +33,16 @@ Panorama resized(const Panorama& from, int width, int height)
     return make_panorama(image);
 }
 
+// A sum over texels takes each for a point; texels as wide as the sky have to be divided before.
+IrradianceMap irradiance_of(const Panorama& panorama)
+{
+    constexpr int least_width = 64, least_height = 32;
+    if (panorama.width >= least_width && panorama.height >= least_height)
+        return make_irradiance_map(panorama);
+    return make_irradiance_map(
+        resized(panorama, std::max(panorama.width, least_width), std::max(panorama.height, least_height)));
+}
+
 } // namespace
 
 std::vector<Panorama> mip_chain(const Panorama& panorama)
@@ -50,7 +61,7 @@ Environment make_environment(Panorama panorama)
 {
     Environment environment;
     tbb::parallel_invoke([&] { environment.chain = make_chain(panorama); },
-                         [&] { environment.irradiance = make_irradiance_map(panorama); });
+                         [&] { environment.irradiance = irradiance_of(panorama); });
     environment.panorama = std::move(panorama);
     return environment;
 }

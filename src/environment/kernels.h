@@ -12,11 +12,6 @@ namespace lambent::environment {
 /// Packs `count` RGB texels, multiplied by `factor`. Values must be finite and not negative.
 void pack_row(const float* rgb, int count, float factor, std::uint32_t* texels);
 
-/// Sums of one panorama row over blocks of columns: for each channel the sum, the sum times cos phi and times sin phi.
-struct ColumnSums {
-    float rgb[3], cosine[3], sine[3];
-};
-
 /// Texels [first, end) of a row of level 0 of a cube: the mean of `samples`^2 bilinear lookups each, as halfs over
 /// `chain.scale`. Texels of the panorama above `limit` radiance are dimmed to it.
 struct ResampleRow {
@@ -49,7 +44,7 @@ void blur_row(const BlurRow& row, CubeChain& chain);
 /// Irradiance at the texels of one row of a one-level chain: the sum over cells of max(N . moment, 0), each cell being
 /// its light times direction, in three arrays of (r, g, b).
 struct LightCells {
-    std::vector<float> x[3], y[3], z[3]; ///< [channel]; padded with zeros to a multiple of 16
+    std::vector<float> x[3], y[3], z[3]; ///< [channel]
 };
 void irradiance_row(const LightCells& cells, int face, int y, CubeChain& map);
 

@@ -32,9 +32,9 @@ struct Panorama {
 /// Solid angle of each texel of row y, in steradians: exact, not the sine at its centre.
 double texel_solid_angle(const Panorama& panorama, int y);
 
-/// Reads row by row. NaN, infinite and negative values are counted, replaced by 0 (infinity by the largest finite
-/// value of the file) and warned of; so is an aspect other than 2:1. Throws Error(bad_input) as the reader does, and
-/// for fewer than 2x1 texels.
+/// Reads row by row. Texels that are not finite or absurdly bright get the mean of their neighbours, negative values
+/// become 0; both are counted and warned of, and so is an aspect other than 2:1. Throws Error(bad_input) as the reader
+/// does, and for fewer than 2x1 texels.
 Panorama load_panorama(const std::filesystem::path& path, Warnings& warnings);
 Panorama load_panorama(image::RadianceReader& reader, const std::string& name, Warnings& warnings);
 

@@ -1,7 +1,7 @@
 // Reading an environment through a blur that fits a sample. The environment is kept as a chain of Gaussian blurs on
 // the sphere: level l >= 1 has the angular variance v1 4^(l-1), level 0 is the picture itself, of variance v1 / 16.
 // (Isotropic Gaussians, not boxes: a box moves light by up to half a texel of its level, which at 40 samples is an
-// error of 3 to 25% where Gaussians leave 2 to 8%; bench/specular_error shows both.)
+// error of 3 to 25% where Gaussians leave 2 to 8%.)
 
 // Level, fractional, whose blend of two neighbours has `variance` = the wanted angular variance over v1. At least 0.
 // Witness: the variance of the blend, over four decades.
@@ -14,6 +14,7 @@ Real level_of_variance(Real variance)
 }
 
 // The share of a lobe's solid angle that one of its N samples stands for, as the variance of a Gaussian: the spread
-// is 1 / (N density), and neighbours a distance sqrt(spread) apart overlap well at 0.55 of it.
-// [footprint from density: Colbert and Krivanek 2007, GPU Gems 3 ch. 20; 0.55: measured by bench/specular_error]
-Real variance_of_spread(Real spread) { return 0.3025 * spread; }
+// is 1 / (N density), and neighbours a distance sqrt(spread) apart overlap well at 0.67 of it. The error over a sphere
+// is least at 0.55 (by a tenth to a quarter), but there a sun shows each sample as a dot; at 0.67 none is seen.
+// [footprint from density: Colbert and Krivanek 2007, GPU Gems 3 ch. 20; measured by tests/draw/specular_error_test]
+Real variance_of_spread(Real spread) { return 0.45 * spread; }

@@ -224,6 +224,8 @@ TEST(Arguments, Environments)
     EXPECT_EQ(a.builtin.width, 2048);
     EXPECT_NEAR(a.builtin.sun_elevation, std::numbers::pi / 4.0, 1e-6);
     EXPECT_FALSE(refusal({"env", "sky", "-o", "s.hdr", "--size", "100x100"}).empty());
+    for (const char* sun : {"0,-90", "0,91", "0,10,3"})
+        EXPECT_EQ(refusal({"env", "sky", "-o", "s.hdr", "--sun", sun}).find("--sun: "), 0u) << sun;
 }
 
 } // namespace

@@ -92,13 +92,14 @@ TEST(Run, TheSameCommandGivesTheSameBytesOnAnyNumberOfThreads)
 TEST(Run, StatsAreOneJsonObject)
 {
     const Folder folder;
-    const Outcome outcome =
-        lambent({"render", "grid", "-o", folder.path("g.png"), "--size", "64x36", "--stats", "json"});
+    const Outcome outcome = lambent({"render", "grid", "-o", folder.path("g.png"), "--size", "64x36",
+                                     "--stats", "json", "--threads", "1"});
     ASSERT_EQ(outcome.code, 0);
     const nlohmann::json stats = nlohmann::json::parse(outcome.output);
     EXPECT_EQ(stats["backend"], "cpu");
     EXPECT_EQ(stats["triangles"], 70756);
     EXPECT_EQ(stats["width"], 64);
+    EXPECT_TRUE(stats["device"].get<std::string>().ends_with(" 1 threads")) << stats["device"];
     double sum = 0.0;
     for (const auto& [stage, ms] : stats["times_ms"].items())
         sum += stage == "total" ? 0.0 : ms.get<double>();
@@ -198,6 +199,12 @@ TEST(Run, OutputsThatCannotBeWrittenAreFive)
     std::filesystem::create_directory(folder.path("folder.png"));
     expect_failure(lambent({"render", "sphere", "-o", folder.path("folder.png"), "--size", "8x8"}), 5);
     EXPECT_EQ(folder.names(), (std::vector<std::string>{"file", "folder.png"}));
+    // A layer that fails after the drawing takes the picture with it.
+    std::filesystem::create_directories(folder.path("layers/normal.exr"));
+    expect_failure(lambent({"render", "sphere", "-o", folder.path("x.png"), "--size", "8x8", "--layers",
+                            folder.path("layers")}),
+                   5);
+    EXPECT_FALSE(std::filesystem::exists(folder.path("x.png")));
 }
 
 TEST(Run, WarningsAreLinesToo)

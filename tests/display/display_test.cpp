@@ -102,6 +102,9 @@ TEST(Display, DitherKeepsTheMeanAndRepeats)
     EXPECT_EQ(plain.bytes.front(), plain.bytes.back());
     EXPECT_EQ(noisy.bytes, to_codes(image, {.dither = true}).bytes);
     EXPECT_NE(noisy.bytes, plain.bytes);
+    // As high as pictures may be.
+    const image::RadianceImage tower{1, 65536, 3, std::vector<float>(65536 * 3, 0.3f)};
+    EXPECT_NE(to_codes(tower, {.dither = true}).bytes, to_codes(tower, {}).bytes);
 }
 
 } // namespace

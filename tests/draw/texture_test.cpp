@@ -172,6 +172,26 @@ TEST(Textures, NormalMapsTurnNormals)
     EXPECT_GT(pixel(testing::draw(scene, &above, view(8)), 4, 4).r, 0.9f);
 }
 
+TEST(Textures, NormalMapsTurnNormalsAtEveryScale)
+{
+    for (float scale : {0.01f, 1.0f, 100.0f}) {
+        scene::Scene scene;
+        scene::Material material;
+        material.normal_texture.image = 0;
+        testing::add(scene, testing::facing_square(0.5f, 0.0f), material,
+                     glm::scale(glm::mat4(1.0f), glm::vec3(scale)));
+        scene.images.push_back(codes(4, 4, [](int, int) { return glm::ivec4(204, 128, 230, 255); }));
+        Settings settings = testing::small_settings(8, 8, testing::front_camera(scale, 10.0f * scale));
+        settings.layers = true;
+        const Frame frame = testing::draw(scene, nullptr, settings);
+        for (const Layer& layer : frame.layers)
+            if (layer.name == "normal") {
+                EXPECT_NEAR(layer.image.pixel(4, 4)[0], 0.6f, 0.01f) << scale;
+                EXPECT_NEAR(layer.image.pixel(4, 4)[2], 0.8f, 0.01f) << scale;
+            }
+    }
+}
+
 TEST(Textures, MetallicRoughnessAndOcclusionComeFromTheirChannels)
 {
     scene::Scene scene;

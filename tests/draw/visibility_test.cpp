@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace lambent::draw {
 namespace {
@@ -108,6 +109,60 @@ TEST(Visibility, MasksCutAndBlendsMix)
     EXPECT_NEAR(seen.g, 0.25f + 0.75f * 0.25f, 1e-6f);
     EXPECT_NEAR(seen.r, 0.75f * 0.75f, 1e-6f);
     EXPECT_NEAR(seen.a, 1.0f, 1e-6f);
+}
+
+// A hundred panes, then more than are drawn: what is behind the last one drawn is the background.
+TEST(Visibility, ManyLayersDoNotSwallowTheBackground)
+{
+    scene::Material glass = glowing({0, 1, 0});
+    glass.alpha_mode = scene::AlphaMode::blend;
+    Settings settings = view(4);
+    settings.background.kind = Background::Kind::color;
+    settings.background.color = {0.0f, 0.0f, 2.0f};
+    for (int layers : {100, 400}) {
+        scene::Scene scene;
+        glass.base_color.a = layers == 100 ? 0.02f : 0.0f;
+        for (int i = 0; i < layers; ++i)
+            add(scene, facing_square(1.0f, 0.01f * static_cast<float>(i)), glass);
+        const glm::vec4 seen = pixel(testing::draw(scene, nullptr, settings), 1, 2);
+        const float left = std::pow(1.0f - glass.base_color.a, static_cast<float>(layers));
+        EXPECT_NEAR(seen.g, 1.0f - left, 1e-3f) << layers;
+        EXPECT_NEAR(seen.b, 2.0f * left, 1e-3f) << layers;
+    }
+}
+
+// Sizes whose squares and fourth powers no float holds: the same picture, or nothing where Embree's arithmetic ends.
+TEST(Visibility, SizeDoesNotMatter)
+{
+    const environment::Environment white = testing::white_environment();
+    for (float size : {1e-9f, 1e-5f, 1.0f, 1e5f, 1e9f, 1e11f, 1e15f, 1e18f}) {
+        scene::Scene scene;
+        scene::Material material;
+        material.double_sided = true;
+        add(scene, facing_square(size, 0.0f), material);
+        scene::Bounds bounds;
+        bounds.low = {-size, -size, 0.0f};
+        bounds.high = {size, size, 0.0f};
+        const Camera camera = orbit_camera(bounds, {0.6f, 0.3f, 0.0f}, 0.8f, 1.0f);
+        const Frame frame = testing::draw(scene, &white, testing::small_settings(16, 16, camera));
+        for (const float value : frame.radiance.values)
+            ASSERT_TRUE(std::isfinite(value)) << size;
+        if (size >= 1e-9f && size <= 1e11f) {
+            EXPECT_NEAR(pixel(frame, 8, 8).a, 1.0f, 1e-6f) << size;
+            EXPECT_NEAR(pixel(frame, 8, 8).g, 1.0f, 0.01f) << size;
+        }
+    }
+}
+
+TEST(Visibility, CamerasOutsideEmbreesRangeSeeNothing)
+{
+    scene::Scene scene;
+    add(scene, facing_square(1.0f, 0.0f), glowing({0, 1, 0}));
+    for (const Camera& camera : {testing::front_camera(2.0f, 1e25f), testing::front_camera(1e30f, 10.0f),
+                                 testing::front_camera(2.0f, std::numeric_limits<float>::infinity())}) {
+        const Frame frame = testing::draw(scene, nullptr, testing::small_settings(8, 8, camera));
+        EXPECT_EQ(pixel(frame, 1, 1).a, 0.0f);
+    }
 }
 
 TEST(Visibility, BlendedAloneIsPartlyCovered)

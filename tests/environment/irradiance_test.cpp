@@ -2,6 +2,7 @@
 #include "environment/irradiance.h"
 
 #include "environment/cube_faces.h"
+#include "environment/environment.h"
 #include "environment/packed_texel.h"
 #include "equations/in_double.h"
 #include "tests/environment/test_panoramas.h"
@@ -120,6 +121,19 @@ TEST(Irradiance, OfAWhiteSphereIsPi)
     for (const Vec& n : normals(false, {0, 1, 0})) {
         EXPECT_NEAR(from_map(map, n), std::numbers::pi, std::numbers::pi * 1e-3);
         EXPECT_NEAR(from_harmonics(harmonics, n), std::numbers::pi, std::numbers::pi * 1e-4);
+    }
+}
+
+// Texels of a quarter of the sky and more.
+TEST(Irradiance, OfAFewTexelsIsPiAsWell)
+{
+    for (const auto& [width, height] : {std::pair(2, 1), {3, 1}, {4, 2}, {2, 500}, {300, 2}, {16, 8}}) {
+        image::RadianceImage image{width, height, 3, {}};
+        image.values.assign(static_cast<std::size_t>(width * height) * 3, 1.0f);
+        const Environment environment = make_environment(make_panorama(image));
+        for (const Vec& n : normals(false, {0, 1, 0}))
+            EXPECT_NEAR(from_map(environment.irradiance, n), std::numbers::pi, std::numbers::pi * 2e-3)
+                << width << 'x' << height;
     }
 }
 

@@ -53,10 +53,10 @@ TEST(Footprint, LevelNeverFalls)
     }
 }
 
-TEST(Footprint, DeviationIsALittleOverHalfTheSpread)
+TEST(Footprint, DeviationIsTwoThirdsOfTheSpread)
 {
     for (double spread : {1e-8, 0.04, 1.0, 6.0})
-        EXPECT_NEAR(std::sqrt(variance_of_spread(spread)), 0.55 * std::sqrt(spread), 1e-14);
+        EXPECT_NEAR(std::sqrt(variance_of_spread(spread)), std::sqrt(0.45) * std::sqrt(spread), 1e-14);
 }
 
 } // namespace

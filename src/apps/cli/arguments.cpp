@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <string_view>
 #include <utility>
@@ -274,9 +275,12 @@ EnvArguments finished(const Words& words, EnvArguments arguments)
         options.width = size.width;
     }
     if (!words.sun.empty()) {
-        const draw::Orbit sun = parse_orbit(words.sun, "--sun");
-        options.sun_azimuth = sun.azimuth;
-        options.sun_elevation = sun.elevation;
+        const std::vector<double> sun = parse_list(words.sun, {2, 2}, "--sun");
+        if (sun[1] < -5.7 || sun[1] > 90.0)
+            throw Error(Failure::usage,
+                        text("--sun: ", words.sun, ": the elevation is not from -5.7 to 90 degrees"));
+        options.sun_azimuth = radians(std::remainder(sun[0], 360.0));
+        options.sun_elevation = radians(sun[1]);
     }
     if (!words.turbidity.empty())
         options.turbidity = number_in(words.turbidity, "--turbidity", 1.5, 10.0);
@@ -376,6 +380,8 @@ std::string first_line(const std::string& message)
 
 Arguments parse_arguments(int count, const char* const* words)
 {
+    if (count < 2)
+        throw Error(Failure::usage, "no command given; lambent --help lists them");
     Grammar grammar;
     try {
         grammar.app.parse(count, words);

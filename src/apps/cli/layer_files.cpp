@@ -1,6 +1,7 @@
 #include "apps/cli/layer_files.h"
 
 #include "base/error.h"
+#include "base/file.h"
 #include "base/text.h"
 #include "image/image_io.h"
 
@@ -81,6 +82,7 @@ void make_layer_folder(const std::filesystem::path& folder)
     if (error)
         throw Error(Failure::cannot_write,
                     text(folder.string(), ": cannot make the folder: ", error.message()));
+    check_can_write(folder / "depth.exr");
 }
 
 void write_layers(const std::vector<draw::Layer>& layers, const std::filesystem::path& folder,

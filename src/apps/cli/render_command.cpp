@@ -79,9 +79,10 @@ void write(const RenderArguments& arguments, const draw::Frame& frame)
 {
     using Kind = draw::Background::Kind;
     const bool transparent = arguments.settings.background.kind == Kind::none;
-    write_picture(frame.radiance, arguments.display, transparent, arguments.output);
+    // The picture last: where it stands, everything went well.
     if (!arguments.layers.empty())
         write_layers(frame.layers, arguments.layers, arguments.display);
+    write_picture(frame.radiance, arguments.display, transparent, arguments.output);
 }
 
 } // namespace

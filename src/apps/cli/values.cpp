@@ -53,7 +53,9 @@ double parse_number(const std::string& word, const std::string& option)
         ++first;
     const auto [end, error] = std::from_chars(first, last, value);
     // Beyond float's range a number would become infinite where it is used.
-    if (error != std::errc() || end != last || !std::isfinite(value) || std::fabs(value) > 3.0e38)
+    if (error == std::errc::result_out_of_range || (end == last && std::fabs(value) > 3.0e38))
+        refuse(option, word, "a number up to 3e38");
+    if (error != std::errc() || end != last || !std::isfinite(value))
         refuse(option, word, "a number");
     return value;
 }

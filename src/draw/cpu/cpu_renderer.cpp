@@ -7,9 +7,11 @@
 
 #include <hwy/targets.h>
 #include <tbb/enumerable_thread_specific.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <cmath>
 #include <mutex>
 #include <optional>
@@ -51,17 +53,16 @@ double background_level(const environment::Environment& environment, const Setti
                         const RayMap& rays)
 {
     const double level_one = environment::level_one_deviation(environment.chain);
-    if (settings.background.kind == Background::Kind::blurred) {
-        // A Gaussian of the lobe's width: for a view along the normal GGX's mirrored lobe has about 2 alpha.
-        const double deviation = settings.background.roughness * settings.background.roughness;
-        return in_double::level_of_variance(deviation * deviation / (level_one * level_one));
-    }
     // A pixel of a wide view of a large panorama covers many texels.
     const double pixel = glm::length(rays.direction_dx);
     const double texel = 6.283185307179586 / environment.panorama.width;
-    if (pixel < 2.0 * texel)
+    const bool blurred = settings.background.kind == Background::Kind::blurred;
+    if (!blurred && pixel < 2.0 * texel)
         return -1.0;
-    return in_double::level_of_variance(pixel * pixel / 12.0 / (level_one * level_one));
+    // A Gaussian of the lobe's width: for a view along the normal GGX's mirrored lobe has about 2 alpha.
+    const double deviation = blurred ? std::pow(settings.background.roughness, 2) : 0.0;
+    return in_double::level_of_variance((deviation * deviation + pixel * pixel / 12.0) /
+                                        (level_one * level_one));
 }
 
 // Calls back with the done fraction, one thread at a time.
@@ -91,9 +92,11 @@ public:
                const std::function<void(float)>& progress) override
     {
         prepare(settings.texel_transfer);
-        const SampleTables tables = make_sample_tables(settings.samples);
+        const bool as_report = settings.mip_level == MipLevel::report;
+        const SampleTables tables =
+            make_sample_tables(settings.samples, as_report ? LobePoints::hammersley : LobePoints::spiral);
         std::vector<environment::Panorama> mips;
-        if (environment && settings.model == Model::phong && settings.mip_level == MipLevel::report)
+        if (environment && settings.model == Model::phong && as_report)
             mips = environment::mip_chain(environment->panorama);
         Picture picture{*prepared_, settings, {}, {}, {}, {}};
         picture.rays = ray_map(settings.camera, settings.width, settings.height);
@@ -118,8 +121,10 @@ public:
     Device device() const override
     {
         const std::int64_t targets = hwy::SupportedTargets() & HWY_TARGETS;
-        return {"cpu", text(hwy::TargetName(targets & -targets), ", ",
-                            tbb::this_task_arena::max_concurrency(), " threads")};
+        const std::size_t allowed =
+            tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+        const auto arena = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+        return {"cpu", text(hwy::TargetName(targets & -targets), ", ", std::min(allowed, arena), " threads")};
     }
 
 private:

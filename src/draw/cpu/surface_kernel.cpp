@@ -118,23 +118,42 @@ vec3 moved_on_plane(const Sight& s, vec3 normal, Real distance, vec3 origin_step
     return step - (dot(step, normal) / safe) * s.direction;
 }
 
+Real largest_part(vec3 v)
+{
+    return max(abs(v.x), max(abs(v.y), abs(v.z)));
+}
+
+// A rate of change, or 0 where it overflowed: what is looked up by it has to be a number.
+Real believed(Real rate)
+{
+    return select(abs(rate) < 1.0e15, rate, 0.0);
+}
+
 Facet facet_at(const SurfaceContext& c, const Fragments& f, size_t at, const Sight& sight)
 {
     Corners<3> corners;
     gather(c, c.mesh->positions, f.triangle.data() + at, corners);
     const mat3 linear = uniform(glm::mat3(c.transform));
     const vec3 origin = linear * corner3(corners, 0) + uniform(glm::vec3(c.transform[3]));
-    const vec3 e1 = linear * (corner3(corners, 1) - corner3(corners, 0));
-    const vec3 e2 = linear * (corner3(corners, 2) - corner3(corners, 0));
+    const vec3 edge1 = linear * (corner3(corners, 1) - corner3(corners, 0));
+    const vec3 edge2 = linear * (corner3(corners, 2) - corner3(corners, 0));
+    // In units of the triangle's size: the fourth powers of the edges that follow leave the range of floats early.
+    const Real unit = reciprocal(clamp(max(largest_part(edge1), largest_part(edge2)), 1.0e-30, 1.0e30));
+    const vec3 e1 = unit * edge1, e2 = unit * edge2;
     const vec3 normal = cross(e1, e2);
     const Real u = load(f[hit_u] + at), v = load(f[hit_v] + at), distance = load(f[hit_distance] + at);
-    const Real scale = 1.0 / max(dot(normal, normal), 1.0e-36);
+    const Real scale = unit / max(dot(normal, normal), 1.0e-36);
     const vec3 dx = moved_on_plane(sight, normal, distance, sight.origin_dx, sight.direction_dx);
     const vec3 dy = moved_on_plane(sight, normal, distance, sight.origin_dy, sight.direction_dy);
     const vec3 across_b = scale * cross(e2, normal), across_c = scale * cross(normal, e1);
-    const Barycentric weights{1.0 - u - v,      u, v, dot(dx, across_b), dot(dx, across_c), dot(dy, across_b),
-                              dot(dy, across_c)};
-    return {origin + u * e1 + v * e2, normal, weights};
+    const Barycentric weights{1.0 - u - v,
+                              u,
+                              v,
+                              believed(dot(dx, across_b)),
+                              believed(dot(dx, across_c)),
+                              believed(dot(dy, across_b)),
+                              believed(dot(dy, across_c))};
+    return {origin + u * edge1 + v * edge2, normal, weights};
 }
 
 // A shading normal and how it turns to the next pixel right and below.
@@ -203,7 +222,9 @@ vec3 mapped_normal(const SurfaceContext& c, const Fragments& f, size_t at, const
         return normal;
     Corners<4> corners;
     gather(c, c.mesh->tangents, f.triangle.data() + at, corners);
-    const vec3 tangent = uniform(glm::mat3(c.transform)) * interpolate3(corners, t.at);
+    // Of unit length, or the bumps would grow and shrink with the mesh.
+    const vec3 along = uniform(glm::mat3(c.transform)) * interpolate3(corners, t.at);
+    const vec3 tangent = inversesqrt(max(dot(along, along), 1.0e-30)) * along;
     const float mirrored = glm::determinant(glm::mat3(c.transform)) < 0.0f ? -1.0f : 1.0f;
     const vec3 bitangent = (Real(mirrored) * load(corners.values[0][3])) * cross(normal, tangent);
     const Color code = t.read(c.textures.normal, c.material->normal_texture, 0.0);

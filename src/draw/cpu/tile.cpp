@@ -19,7 +19,7 @@ constexpr float least_shared_cosine = 0.966f;
 
 // What is left of a ray behind transparent surfaces is not worth following below this.
 constexpr float least_weight = 1.0f / 1024.0f;
-constexpr int most_waves = 64;
+constexpr int most_waves = 256;
 
 bool same_surface(const Seen& a, const Seen& b)
 {
@@ -70,6 +70,8 @@ void TileDrawer::draw(const TileArea& area, Frame& frame)
         resolve(frame, area);
         look_behind();
     }
+    for (const Look& look : looks_) // behind more layers than are drawn
+        background_[look.pixel] += look.weight;
     add_background(frame, area);
 }
 

@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -33,6 +34,24 @@ RTCGeometry triangles(RTCDevice device, const scene::Mesh& mesh, const glm::mat4
     return geometry;
 }
 
+// Unit length, or zero. The normals of very large and very small triangles have squares that no float holds.
+glm::vec3 unit(const glm::vec3& v)
+{
+    const float largest = std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z)));
+    return largest > 0.0f ? glm::normalize(v / largest) : glm::vec3(0.0f);
+}
+
+// Whether Embree takes a ray; it ends the program over one from further away, or one that is not a number.
+bool traceable(const Rays& rays, std::size_t i)
+{
+    constexpr float furthest = 1.0e18f;
+    bool taken = rays.near[i] >= 0.0f;
+    for (int axis = 0; axis < 3; ++axis)
+        taken = taken && std::fabs(rays.origin[axis][i]) <= furthest &&
+                std::fabs(rays.direction[axis][i]) <= furthest;
+    return taken;
+}
+
 // Copies sixteen rays, the last ones of a short packet being switched off.
 void load_packet(const Rays& rays, std::size_t first, RTCRayHit16& packet_rays, int* valid)
 {
@@ -46,7 +65,7 @@ void load_packet(const Rays& rays, std::size_t first, RTCRayHit16& packet_rays, 
         copy(ray.dir_z, rays.direction[2]);
     copy(ray.tnear, rays.near);
     for (std::size_t i = 0; i < packet; ++i) {
-        valid[i] = i < count ? -1 : 0;
+        valid[i] = i < count && traceable(rays, first + i) ? -1 : 0;
         ray.tfar[i] = std::numeric_limits<float>::infinity();
         ray.time[i] = 0.0f;
         ray.mask[i] = ~0u;
@@ -157,8 +176,7 @@ void Visibility::trace(const Rays& rays, Hit* hits) const
             out.u = hit.u[i];
             out.v = hit.v[i];
             out.triangle = hit.primID[i];
-            out.normal =
-                glm::normalize(normals_[out.instance] * glm::vec3(hit.Ng_x[i], hit.Ng_y[i], hit.Ng_z[i]));
+            out.normal = unit(normals_[out.instance] * glm::vec3(hit.Ng_x[i], hit.Ng_y[i], hit.Ng_z[i]));
             const glm::vec3 direction(ray.dir_x[i], ray.dir_y[i], ray.dir_z[i]);
             out.front = glm::dot(out.normal, direction) < 0.0f;
         }

@@ -40,7 +40,8 @@ public:
     Visibility& operator=(const Visibility&) = delete;
     ~Visibility();
 
-    /// The nearest hit of each of the first rays.size() rays, into `hits`. Neighbours should be nearly parallel.
+    /// The nearest hit of each of the first rays.size() rays, into `hits`. Neighbours should be nearly parallel. A ray
+    /// from further away than 1e18 m meets nothing.
     void trace(const Rays& rays, Hit* hits) const;
 
 private:

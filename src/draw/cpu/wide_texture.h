@@ -110,7 +110,8 @@ HWY_INLINE Color read_texture(const PackedTexture& t, TexturePoint p)
     const Real shorter2 =
         max(min(x2, y2), longer2 * (1.0 / (most_anisotropic_reads * most_anisotropic_reads)));
     const Real level = clamp(0.5 * log2(shorter2), 0.0, t.levels - 1);
-    const Real ratio = select(longer2 > 1.0, sqrt(longer2 / shorter2), 1.0);
+    // Infinite footprints have no ratio.
+    const Real ratio = select(longer2 > 1.0 && longer2 < 1.0e37, sqrt(longer2 / shorter2), 1.0);
     const int reads = t.levels > 1 ? static_cast<int>(ceil(largest_lane(ratio) - 0.01f)) : 1;
     const Mask along_x = x2 > y2;
     // A lane that needs fewer reads than its neighbours has them closer together.
