@@ -84,19 +84,14 @@ HWY_FLATTEN void resample_row(const ResampleRow& row, CubeChain& chain)
     const PanoramaView picture{reinterpret_cast<const int32_t*>(p.texels.data()), p.width, p.height,
                                row.limit / p.scale};
     const int size = chain.face_size(0);
-    const float step = 1.0f / static_cast<float>(row.samples);
-    const Real weight = p.scale / chain.scale * step * step;
+    const Real weight = p.scale / chain.scale / static_cast<float>(row.points->size());
     uint16_t* out = chain.halfs() + 3 * chain.texel(0, row.face, 0, row.y);
     for (int x = row.first; x < row.end; x += static_cast<int>(lane_count)) {
         vec3 sum(0.0);
-        for (int j = 0; j < row.samples; ++j) {
-            const float across_y = (static_cast<float>(row.y) + (static_cast<float>(j) + 0.5f) * step);
-            const Real t = across_y * 2.0f / static_cast<float>(size) - 1.0f;
-            for (int i = 0; i < row.samples; ++i) {
-                const Real s = face_coordinate(x, (static_cast<float>(i) + 0.5f) * step, size);
-                const vec3 d = normalize(direction_from_cube(row.face, s, t));
-                sum += panorama_bilinear(picture, equirectangular_from_direction(d));
-            }
+        for (const TexelPoint& point : *row.points) {
+            const Real t = (static_cast<float>(row.y) + point.y) * 2.0f / static_cast<float>(size) - 1.0f;
+            const vec3 d = normalize(direction_from_cube(row.face, face_coordinate(x, point.x, size), t));
+            sum += panorama_bilinear(picture, equirectangular_from_direction(d));
         }
         store_halfs(weight * sum, lanes_left(x, row.end), out + 3 * x);
     }

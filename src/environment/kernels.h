@@ -12,12 +12,17 @@ namespace lambent::environment {
 /// Packs `count` RGB texels, multiplied by `factor`. Values must be finite and not negative.
 void pack_row(const float* rgb, int count, float factor, std::uint32_t* texels);
 
-/// Texels [first, end) of a row of level 0 of a cube: the mean of `samples`^2 bilinear lookups each, as halfs over
+/// A place within a texel, from 0 to 1 across and down.
+struct TexelPoint {
+    float x, y;
+};
+
+/// Texels [first, end) of a row of level 0 of a cube: the mean of bilinear lookups at these points, as halfs over
 /// `chain.scale`. Texels of the panorama above `limit` radiance are dimmed to it.
 struct ResampleRow {
     const Panorama* panorama;
     float limit;
-    int samples;
+    const std::vector<TexelPoint>* points;
     int face;
     int y;
     int first, end;

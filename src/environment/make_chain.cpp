@@ -20,7 +20,7 @@ constexpr int least_log2_size = 5, most_log2_size = 10;
 constexpr double lookup_variance = 1.0 / 6.0;
 
 // A level that holds the picture has to be read more densely than one that is blurred already.
-constexpr int first_taps = 64, later_taps = 32;
+constexpr int first_taps = 40, later_taps = 32;
 
 int log2_face_size(int panorama_width)
 {
@@ -50,8 +50,23 @@ constexpr float brightest_of_all = std::numeric_limits<float>::max();
 struct Resampling {
     const Panorama* panorama;
     float limit;
-    int samples;
+    std::vector<TexelPoint> points;
 };
+
+// Points of a texel no further apart than the panorama's texels at a face's centre, where its own are largest.
+std::vector<TexelPoint> texel_points(int panorama_width, int face_size)
+{
+    if (panorama_width <= 4 * face_size) // nearly so with one; these two lie on a diagonal
+        return {{0.25f, 0.75f}, {0.75f, 0.25f}};
+    const int across = static_cast<int>(std::ceil(1.5 / std::numbers::pi * panorama_width / face_size));
+    std::vector<TexelPoint> points;
+    for (int i = 0; i < across * across; ++i) {
+        const int column = i % across, row = i / across;
+        points.push_back({(static_cast<float>(column) + 0.5f) / static_cast<float>(across),
+                          (static_cast<float>(row) + 0.5f) / static_cast<float>(across)});
+    }
+    return points;
+}
 
 // Texels [first, end) of a row.
 struct Range {
@@ -65,7 +80,7 @@ void resample(const Resampling& how, const std::vector<Range>& rows, CubeChain& 
     tbb::parallel_for(0, 6 * size, [&](int index) {
         const Range range = rows[static_cast<std::size_t>(index)];
         resample_row(
-            {how.panorama, how.limit, how.samples, index / size, index % size, range.first, range.end},
+            {how.panorama, how.limit, &how.points, index / size, index % size, range.first, range.end},
             chain);
     });
     fill_borders(chain, 0);
@@ -155,16 +170,14 @@ CubeChain make_chain(const Panorama& panorama)
     chain.allocate(log2_size, log2_size);
     chain.scale = chain_scale(panorama);
     const int size = chain.face_size(0);
-    // Samples no further apart than the panorama's texels at a face's centre, where its texels are largest.
-    const int samples =
-        std::max(1, static_cast<int>(std::ceil(1.5 / std::numbers::pi * panorama.width / size)));
+    const std::vector<TexelPoint> points = texel_points(panorama.width, size);
     const Peaks peaks = find_peaks(panorama);
-    resample({&panorama, peaks.limit, samples}, all_of(size), chain);
+    resample({&panorama, peaks.limit, points}, all_of(size), chain);
     for (int level = 1; level < chain.levels; ++level)
         blur_level(level, chain);
     if (!peaks.peaks.empty()) {
         tbb::parallel_for(1, chain.levels, [&](int level) { add_peaks(peaks, level, chain); });
-        resample({&panorama, brightest_of_all, samples}, around(peaks, size), chain);
+        resample({&panorama, brightest_of_all, points}, around(peaks, size), chain);
     }
     return chain;
 }
