@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -63,20 +64,57 @@ void read_all(int fd, std::span<std::uint8_t> bytes, const std::filesystem::path
     }
 }
 
-// A name in the same folder as the target, so that the rename cannot cross file systems; removed if still
-// there.
-struct TemporaryFile {
-    std::filesystem::path name;
-
-    explicit TemporaryFile(const std::filesystem::path& target) : name(target)
+// A file in the same folder as the target, so that the rename cannot cross file systems; removed unless it became the
+// target.
+class TemporaryFile {
+public:
+    explicit TemporaryFile(const std::filesystem::path& target) : target_(target)
     {
-        // A process id and a counter: neither two processes nor two threads of one share a name.
+        // A process id and a counter: neither two processes nor two threads of one share a name. One that is there is
+        // left from a process that was killed, or belongs to another machine.
         static std::atomic<unsigned> counter{0};
-        name += text(".", ::getpid(), ".", counter++, ".part");
+        do {
+            name_ = target;
+            name_ += text(".", ::getpid(), ".", counter++, ".part");
+            fd_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        } while (fd_ < 0 && errno == EEXIST);
+        if (fd_ < 0)
+            fail_to_write(target_);
     }
     TemporaryFile(const TemporaryFile&) = delete;
     TemporaryFile& operator=(const TemporaryFile&) = delete;
-    ~TemporaryFile() { ::unlink(name.c_str()); }
+    ~TemporaryFile()
+    {
+        if (fd_ >= 0)
+            ::close(fd_);
+        if (!name_.empty())
+            ::unlink(name_.c_str());
+    }
+
+    void write(std::span<const std::uint8_t> bytes)
+    {
+        while (!bytes.empty()) {
+            const ssize_t count = ::write(fd_, bytes.data(), bytes.size());
+            if (count < 0 && errno == EINTR)
+                continue;
+            if (count < 0)
+                fail_to_write(target_);
+            bytes = bytes.subspan(static_cast<std::size_t>(count));
+        }
+    }
+
+    // Some file systems tell only on closing that there was no room.
+    void become_target()
+    {
+        if (::close(std::exchange(fd_, -1)) != 0 || ::rename(name_.c_str(), target_.c_str()) != 0)
+            fail_to_write(target_);
+        name_.clear();
+    }
+
+private:
+    const std::filesystem::path& target_;
+    std::filesystem::path name_;
+    int fd_ = -1;
 };
 
 } // namespace
@@ -121,19 +159,9 @@ void check_can_write(const std::filesystem::path& path)
 void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes)
 {
     check_can_write(path);
-    const TemporaryFile temporary(path);
-    const Descriptor out(::open(temporary.name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-    if (out.fd < 0)
-        fail_to_write(path);
-    std::size_t done = 0;
-    while (done < bytes.size()) {
-        const ssize_t count = ::write(out.fd, bytes.data() + done, bytes.size() - done);
-        if (count < 0)
-            fail_to_write(path);
-        done += static_cast<std::size_t>(count);
-    }
-    if (::rename(temporary.name.c_str(), path.c_str()) != 0)
-        fail_to_write(path);
+    TemporaryFile file(path);
+    file.write(bytes);
+    file.become_target();
 }
 
 } // namespace lambent

@@ -20,7 +20,7 @@ struct Settings {
         false; ///< noise of one code, triangular, the same for every picture, before rounding to 8 bits
 };
 
-/// 8-bit RGB codes of an RGB or RGBA picture, rounded to nearest. Light that is not finite becomes black.
+/// 8-bit RGB codes of an RGB or RGBA picture, rounded to nearest. NaN and negative light become black, infinite white.
 image::CodeImage to_codes(const image::RadianceImage& light, const Settings& settings);
 
 } // namespace lambent::display

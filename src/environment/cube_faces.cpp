@@ -51,12 +51,8 @@ Direction cube_direction(int face, double s, double t)
 
 FacePosition cube_position(const Direction& d)
 {
-    const double ax = std::fabs(d.x), ay = std::fabs(d.y), az = std::fabs(d.z);
-    if (ax >= ay && ax >= az)
-        return d.x > 0 ? FacePosition{0, -d.z / ax, -d.y / ax} : FacePosition{1, d.z / ax, -d.y / ax};
-    if (ay >= az)
-        return d.y > 0 ? FacePosition{2, d.x / ay, d.z / ay} : FacePosition{3, d.x / ay, -d.z / ay};
-    return d.z > 0 ? FacePosition{4, d.x / az, -d.y / az} : FacePosition{5, -d.x / az, -d.y / az};
+    const in_double::CubePlace p = in_double::cube_from_direction({d.x, d.y, d.z});
+    return {static_cast<int>(p.face), p.s, p.t};
 }
 
 double cube_texel_solid_angle(int size, int x, int y)

@@ -16,7 +16,8 @@
 namespace lambent::environment {
 namespace {
 
-// Cells of at most this many columns and rows. An error of 1e-4 at 64x32 (tests/environment), where the time is spent.
+// Cells of at most this many columns and rows, where the time is spent. At 64x32 irradiance is off by less than 1e-3, at
+// most h^2 / 12 for cells h high (tests/environment).
 constexpr int most_columns = 64, most_rows = 32;
 
 struct Trigonometry {

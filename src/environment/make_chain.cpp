@@ -35,13 +35,9 @@ float power_of_two_at_least(float value)
     return std::exp2(std::ceil(std::log2(std::max(value, 1e-30f))));
 }
 
-// What a texel may hold is 65408 times the panorama's scale; a half holds less than twice as little.
-float chain_scale(const Panorama& panorama)
+// The least power of two by which a half holds the brightest texel, with room for what resampling rounds.
+float chain_scale(float brightest)
 {
-    std::uint32_t most = 0;
-    for (const std::uint32_t texel : panorama.texels)
-        most = std::max(most, texel >> 27);
-    const float brightest = std::exp2(static_cast<float>(most) - 15.0f) * panorama.scale;
     return std::max(power_of_two_at_least(brightest / 32768.0f), 0x1p-14f);
 }
 
@@ -168,10 +164,10 @@ CubeChain make_chain(const Panorama& panorama)
         return make_chain(halved(panorama));
     CubeChain chain;
     chain.allocate(log2_size, log2_size);
-    chain.scale = chain_scale(panorama);
     const int size = chain.face_size(0);
     const std::vector<TexelPoint> points = texel_points(panorama.width, size);
     const Peaks peaks = find_peaks(panorama);
+    chain.scale = chain_scale(peaks.brightest);
     resample({&panorama, peaks.limit, points}, all_of(size), chain);
     for (int level = 1; level < chain.levels; ++level)
         blur_level(level, chain);

@@ -176,6 +176,7 @@ Peaks find_peaks(const Panorama& panorama)
     std::vector<float> brightest(static_cast<std::size_t>(panorama.height));
     const Brightness brightness = measure(panorama, brightest);
     Peaks result;
+    result.brightest = *std::max_element(brightest.begin(), brightest.end());
     result.limit = choose_limit(brightness, panorama.texels.size());
     for (int y = 0; y < panorama.height; ++y)
         if (brightest[static_cast<std::size_t>(y)] > result.limit)

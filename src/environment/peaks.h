@@ -16,6 +16,7 @@ struct Peak {
 };
 
 struct Peaks {
+    float brightest = 0.0f;  ///< largest channel of all texels
     float limit = 0.0f;      ///< radiance (largest channel) above which texels were cut
     std::vector<Peak> peaks; ///< what was cut off, one per texel
 };

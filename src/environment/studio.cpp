@@ -1,6 +1,7 @@
 #include "environment/studio.h"
 
 #include "environment/softbox.h"
+#include "equations/in_double.h"
 
 #include <glm/common.hpp>
 #include <tbb/parallel_for.h>
@@ -53,12 +54,11 @@ image::RadianceImage make_studio(int width)
     const std::vector<PlacedSoftbox> boxes = softboxes();
     const float texel = pi / static_cast<float>(height);
     tbb::parallel_for(0, height, [&](int y) {
-        const float elevation = 0.5f * pi - (static_cast<float>(y) + 0.5f) * texel;
         float* values = panorama.pixel(0, y);
         for (int x = 0; x < width; ++x) {
-            const float azimuth = (static_cast<float>(x) + 0.5f) * texel - pi;
-            const glm::vec3 d(std::cos(elevation) * std::cos(azimuth), std::sin(elevation),
-                              std::cos(elevation) * std::sin(azimuth));
+            const in_double::vec3 place =
+                in_double::direction_from_equirectangular({(x + 0.5) / width, (y + 0.5) / height});
+            const glm::vec3 d(place.x, place.y, place.z);
             glm::vec3 light = room(d);
             for (const PlacedSoftbox& box : boxes)
                 light = box.over(light, d, texel);

@@ -12,25 +12,6 @@ struct CubeView {
     int levels;
 };
 
-// Where a direction meets the cube: the face, and the place on it in [-1, 1]. [Vulkan 1.3, "Cube Map Face Selection"]
-struct FacePoint {
-    Real face, s, t;
-};
-
-HWY_INLINE FacePoint face_point(vec3 d)
-{
-    const Real ax = abs(d.x), ay = abs(d.y), az = abs(d.z);
-    const Mask x_major = ax >= ay && ax >= az;
-    const Mask y_major = !x_major && ay >= az;
-    const Real axis = select(x_major, d.x, select(y_major, d.y, d.z));
-    // Divided by the signed axis, the coordinates that turn round with it get their sign.
-    const Real turned = reciprocal(select(abs(axis) > 1.0e-30, axis, 1.0e-30)), straight = abs(turned);
-    const Real s = select(x_major, -d.z, d.x) * select(y_major, straight, turned);
-    const Real t = select(y_major, d.z, -d.y) * select(y_major, turned, straight);
-    const Real first = select(x_major, 0.0, select(y_major, 2.0, 4.0));
-    return {select(axis < 0.0, first + 1.0, first), s, t};
-}
-
 // Two texels side by side, or sums of such: r g b r g b and two lanes of rubbish.
 #if HWY_MAX_BYTES >= 32
 using PairTag = hn::FixedTag<float, 8>;
@@ -206,7 +187,7 @@ HWY_INLINE LevelShape next_level(LevelShape l)
     return {0.5 * l.half_size, hn::ShiftRight<2>(l.start), hn::Add(hn::ShiftRight<1>(l.pitch3), integer(3))};
 }
 
-HWY_INLINE void place_taps(LevelShape level, FacePoint p, LevelTaps& taps)
+HWY_INLINE void place_taps(LevelShape level, CubePlace p, LevelTaps& taps)
 {
     // Texel centres lie half a texel in; the border adds one.
     const Real middle = level.half_size + 0.5;
@@ -259,7 +240,7 @@ public:
         Sample& s = queue_[queued_];
         const Real clamped = min(level, cube_.levels - 1);
         const Real fine = min(floor(clamped), cube_.levels - 2);
-        const FacePoint p = face_point(d);
+        const CubePlace p = cube_from_direction(d);
         const LevelShape shape = level_shape(cube_, truncated(fine));
         place_taps(shape, p, s.fine);
         place_taps(next_level(shape), p, s.coarse);
@@ -332,7 +313,7 @@ public:
     // From direction d, any length.
     HWY_INLINE void add(vec3 d)
     {
-        place_taps(shape_, face_point(d), queue_[queued_]);
+        place_taps(shape_, cube_from_direction(d), queue_[queued_]);
         if (++queued_ == queue_length)
             flush();
     }

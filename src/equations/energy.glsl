@@ -28,16 +28,17 @@ struct Reflectance {
     vec3 diffuse;
 };
 
-// The material as a mixture: dielectric of F0 = 0.04 over a diffuse base, and metal of F0 = base, each with its own
+// The material as a mixture: dielectric over a diffuse base, and metal of F0 = base, each with its own
 // compensation, mixed by metalness. Both are white in the white furnace when base is. [glTF 2.0, appendix B;
 // diffuse under the dielectric by albedo scaling: OpenPBR 1.0, "Albedo-scaling"] Witness: the white furnace.
 Reflectance reflectance_metallic(Metallic m, vec2 albedo)
 {
-    vec3 dielectric_gain = (1.0 - m.metalness) * energy_compensation(vec3(0.04), albedo, m.compensation);
+    Real F0 = dielectric_reflectance();
+    vec3 dielectric_gain = (1.0 - m.metalness) * energy_compensation(vec3(F0), albedo, m.compensation);
     vec3 metal_gain = m.metalness * energy_compensation(m.base, albedo, m.compensation);
-    vec3 plain = albedo.x * (0.04 * dielectric_gain + m.base * metal_gain);
+    vec3 plain = albedo.x * (F0 * dielectric_gain + m.base * metal_gain);
     vec3 grazing = albedo.y * (dielectric_gain + metal_gain);
-    vec3 under = (1.0 - m.metalness) - (0.04 * albedo.x + albedo.y) * dielectric_gain;
+    vec3 under = (1.0 - m.metalness) - (F0 * albedo.x + albedo.y) * dielectric_gain;
     Reflectance r = {plain, grazing, m.base * under};
     return r;
 }
@@ -55,6 +56,7 @@ vec3 brdf_metallic(Metallic m, vec2 albedo, vec3 N, vec3 V, vec3 L)
     Real lobe = density_ggx(NH, m.alpha) * visibility_ggx(NL, NV, m.alpha);
     Reflectance r = reflectance_metallic(m, albedo);
     vec3 metal = m.metalness * (energy_compensation(m.base, albedo, m.compensation) * fresnel_schlick(m.base, VH));
-    vec3 dielectric = (1.0 - m.metalness) * (energy_compensation(vec3(0.04), albedo, m.compensation) * fresnel_schlick(vec3(0.04), VH));
+    vec3 F0 = vec3(dielectric_reflectance());
+    vec3 dielectric = (1.0 - m.metalness) * (energy_compensation(F0, albedo, m.compensation) * fresnel_schlick(F0, VH));
     return lobe * (metal + dielectric) + 0.3183098861837907 * r.diffuse;
 }

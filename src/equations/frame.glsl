@@ -26,7 +26,7 @@ mat3 carried_frame(vec3 N, vec3 V, vec3 across)
     return mat3(tangent, cross(N, tangent), N);
 }
 
-// The components of v along the three columns of a rotation.
+// The components of v along the three columns of a rotation. Witness: the rotation of them is v.
 vec3 in_frame(mat3 frame, vec3 v)
 {
     vec3 x = frame * vec3(1.0, 0.0, 0.0);

@@ -35,6 +35,32 @@ vec3 direction_from_cube(int face, Real s, Real t)
     return vec3(-s, -t, -1.0);
 }
 
+// Where a direction of any length but 0 meets the cube.
+struct CubePlace {
+    Real face;
+    Real s;
+    Real t;
+};
+
+// The inverse of direction_from_cube. On an edge of the cube, X goes before Y before Z. Witness: round trip.
+CubePlace cube_from_direction(vec3 d)
+{
+    Real ax = abs(d.x);
+    Real ay = abs(d.y);
+    Real az = abs(d.z);
+    Mask x_major = ax >= ay && ax >= az;
+    Mask y_major = !x_major && ay >= az;
+    Real axis = select(x_major, d.x, select(y_major, d.y, d.z));
+    // Divided by the signed axis, the coordinates that turn round with it get their sign.
+    Real turned = 1.0 / select(abs(axis) > 1.0e-30, axis, 1.0e-30);
+    Real straight = abs(turned);
+    Real s = select(x_major, -d.z, d.x) * select(y_major, straight, turned);
+    Real t = select(y_major, d.z, -d.y) * select(y_major, turned, straight);
+    Real first = select(x_major, 0.0, select(y_major, 2.0, 4.0));
+    CubePlace p = {select(axis < 0.0, first + 1.0, first), s, t};
+    return p;
+}
+
 // Solid angle between the face's centre and the corner (s, t) of a cube face, signed, in steradians; texels and
 // faces are sums of four. [Driscoll 2012, "Cubemap texel solid angle"] Witness: six faces are 4 pi; quadrature.
 Real cube_corner_solid_angle(Real s, Real t) { return atan(s * t, sqrt(s * s + t * t + 1.0)); }

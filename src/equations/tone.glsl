@@ -1,14 +1,16 @@
 // Tone curves: from exposed linear light (Rec. 709, 0 and up) to display-linear light in [0, 1], before contrast and
-// transfer. Witnesses: published values, monotony on greys, fixed points.
+// transfer. All of them rise on greys, which stay grey, and stay in range.
 
 // The report's curve, c / (c + 1), per channel. [Reinhard et al. 2002, eq. 3, with the luminance per channel]
+// Witness: fixed points.
 vec3 tone_reinhard(vec3 c) { return vec3(c.x / (c.x + 1.0), c.y / (c.y + 1.0), c.z / (c.z + 1.0)); }
 
-// Identity, cut at 1.
+// Identity, cut at 1. Witness: both sides of the cut.
 vec3 tone_linear(vec3 c) { return vec3(min(c.x, 1.0), min(c.y, 1.0), min(c.z, 1.0)); }
 
 // Khronos PBR Neutral: colours of base materials kept as they are, highlights compressed to white.
 // [Khronos 2024, "PBR Neutral Specification"; F90 = 0.04, Ks = 0.8 - F90, Kd = 0.15]
+// Witness: the specification's inverse undoes it; base colours come back; smooth where the pieces meet.
 vec3 tone_neutral(vec3 c)
 {
     Real least = min(c.x, min(c.y, c.z));
@@ -23,6 +25,7 @@ vec3 tone_neutral(vec3 c)
 
 // The ACES reference rendering and output transforms for sRGB as fitted by Stephen Hill (2016), exposed by 1 / 0.6 as
 // in three.js and the Khronos viewer, so that middle grey stays about where it was.
+// Witness: the Academy's tone scales, within the fit's error; the matrices from primaries and whites.
 vec3 tone_aces(vec3 c)
 {
     mat3 to_aces = mat3(vec3(0.59719, 0.07600, 0.02840), vec3(0.35458, 0.90834, 0.13383), vec3(0.04823, 0.01566, 0.83777));
@@ -36,6 +39,7 @@ vec3 tone_aces(vec3 c)
 
 // AgX's sigmoid on log-encoded light: through (0, 0), (0.606, 0.5) with slope 2, and (1, 1); toe power 3, shoulder
 // power 3.25. The scales 59.5 and 69.9 are what those end points ask for. [Sobotka 2022, AgX]
+// Witness: Sobotka's general form with scales worked out in double; the end points and the slope.
 Real agx_sigmoid(Real x)
 {
     Real d = x - 0.6060606060606061;
@@ -46,6 +50,7 @@ Real agx_sigmoid(Real x)
 
 // AgX, base look: colours drawn towards grey before a log curve, so that bright saturated light turns white and keeps
 // its hue. 10 stops below and 6.5 above middle grey. [Sobotka 2022, AgX, OCIO configuration: inset matrix, range]
+// Witness: that definition, the outset by solving for the inset's inverse.
 vec3 tone_agx(vec3 c)
 {
     mat3 inset = mat3(vec3(0.842479062253094, 0.0423282422610123, 0.0423756549057051),

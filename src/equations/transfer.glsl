@@ -9,11 +9,14 @@ Real srgb_encode(Real light)
     return select(light <= 0.0031308, 12.92 * light, 1.055 * power(light, 1.0 / 2.4) - 0.055);
 }
 
+// Its inverse. Witness: published codes; round trip.
 Real srgb_decode(Real code)
 {
     return select(code <= 0.04045, code * (1.0 / 12.92), power((code + 0.055) * (1.0 / 1.055), 2.4));
 }
 
+// Each channel of a colour. Witness: the channels one by one.
 vec3 power(vec3 a, Real b) { return vec3(power(a.x, b), power(a.y, b), power(a.z, b)); }
 
+// Each channel of a colour. Witness: the channels one by one.
 vec3 srgb_encode(vec3 light) { return vec3(srgb_encode(light.x), srgb_encode(light.y), srgb_encode(light.z)); }

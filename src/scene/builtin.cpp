@@ -20,24 +20,10 @@ namespace {
 constexpr std::array<std::string_view, 6> names = {"sphere", "teapot", "plane", "report", "grid", "furnace"};
 
 constexpr float highest_exponent = 1e6f;
-constexpr float dielectric_reflectance = 0.04f; // index of refraction 1.5 [glTF 2.0, B.2]
 
 int scaled(int usual, const BuiltinOptions& options)
 {
     return std::max(3, static_cast<int>(std::lround(usual * options.density)));
-}
-
-float exponent_of(float perceptual_roughness)
-{
-    const double alpha =
-        static_cast<double>(perceptual_roughness) * static_cast<double>(perceptual_roughness);
-    return static_cast<float>(in_double::phong_exponent(alpha));
-}
-
-// The inverse.
-float perceptual_roughness_of(float exponent)
-{
-    return std::pow(2.0f / (exponent + 2.0f), 0.25f);
 }
 
 Material metallic_roughness(glm::vec3 base_color, float metallic, float perceptual_roughness)
@@ -46,18 +32,22 @@ Material metallic_roughness(glm::vec3 base_color, float metallic, float perceptu
     material.base_color = glm::vec4(base_color, 1.0f);
     material.metallic = metallic;
     material.perceptual_roughness = perceptual_roughness;
-    material.phong = PhongMaterial{base_color * (1.0f - metallic),
-                                   glm::mix(glm::vec3(dielectric_reflectance), base_color, metallic),
-                                   exponent_of(perceptual_roughness)};
     return material;
 }
 
-// The report's kind of material, and the dielectric that comes closest to it.
-Material report_material(const char* name, const PhongMaterial& phong)
+// A material of the report.
+struct ReportMaterial {
+    glm::vec3 diffuse, specular;
+    float exponent;
+};
+
+// As it is, and as the dielectric that comes closest to it.
+Material report_material(const char* name, const ReportMaterial& report)
 {
-    Material material = metallic_roughness(phong.diffuse, 0.0f, perceptual_roughness_of(phong.exponent));
+    const double alpha = in_double::phong_alpha(static_cast<double>(report.exponent));
+    Material material = metallic_roughness(report.diffuse, 0.0f, static_cast<float>(std::sqrt(alpha)));
     material.name = name;
-    material.phong = phong;
+    material.phong = {report.diffuse, report.specular, report.exponent};
     return material;
 }
 
@@ -79,7 +69,7 @@ Scene make_sphere_scene(const BuiltinOptions& options)
     constexpr float radius = 0.5f;
     Material paint = metallic_roughness({0.75f, 0.08f, 0.06f}, 0.0f, 0.25f);
     paint.name = "paint";
-    paint.phong = PhongMaterial{{0.75f, 0.08f, 0.06f}, glm::vec3(0.2f), 100.0f};
+    paint.phong = {glm::vec3(0.75f, 0.08f, 0.06f), glm::vec3(0.2f), 100.0f};
     Scene scene;
     add(scene, make_sphere(radius, scaled(256, options), scaled(128, options)), paint,
         moved(0.0f, radius, 0.0f));
@@ -90,7 +80,7 @@ Scene make_teapot_scene(const BuiltinOptions& options)
 {
     Material glaze = metallic_roughness(glm::vec3(0.8f), 0.0f, 0.2f);
     glaze.name = "glaze";
-    glaze.phong = PhongMaterial{glm::vec3(0.8f), glm::vec3(0.2f), 100.0f};
+    glaze.phong = {glm::vec3(0.8f), glm::vec3(0.2f), 100.0f};
     glaze.double_sided = true; // the spout is open
     Scene scene;
     add(scene, make_teapot(scaled(32, options)), glaze, glm::mat4(1.0f));
@@ -234,9 +224,12 @@ Scene make_builtin(std::string_view name, const BuiltinOptions& options)
     check_options(options);
     Scene scene = make_plain(name, options);
     for (Material& material : scene.materials) {
-        material.phong->diffuse = options.diffuse.value_or(material.phong->diffuse);
-        material.phong->specular = options.specular.value_or(material.phong->specular);
-        material.phong->exponent = options.exponent.value_or(material.phong->exponent);
+        if (options.diffuse)
+            material.phong.diffuse = options.diffuse;
+        if (options.specular)
+            material.phong.specular = options.specular;
+        if (options.exponent)
+            material.phong.exponent = options.exponent;
     }
     return scene;
 }

@@ -24,7 +24,6 @@ struct BuiltinOptions {
 ///  - grid: 7 x 7 spheres of gold colour facing +Z, perceptual roughness 0 to 1 from left to right,
 ///    metallic 0 to 1 from bottom to top;
 ///  - furnace: 11 x 3 white spheres, roughness and metallic likewise.
-/// Every material has a PhongMaterial too.
 std::span<const std::string_view> builtin_names();
 
 bool is_builtin(std::string_view name);

@@ -223,8 +223,6 @@ Material MaterialReader::read(int index)
     if (index < 0)
         return material;
     name_ = text("material ", index);
-    if (at(index) >= document_.model.materials.size())
-        document_.fail(name_, " does not exist");
     const tinygltf::Material& source = document_.model.materials[at(index)];
     material.name = source.name;
     read_metallic_roughness(source.pbrMetallicRoughness, material);

@@ -39,11 +39,11 @@ struct TextureUse {
 
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
-/// The report's material, for the built-in shapes. (DESIGN: "the report's model")
+/// What the report's model takes in place of what it makes of a material's colour, metalness and roughness.
 struct PhongMaterial {
-    glm::vec3 diffuse{0.5f};  ///< Kd
-    glm::vec3 specular{0.5f}; ///< Ks
-    float exponent = 100.0f;  ///< alpha of the report: Phong exponent, 0 < exponent <= 1e6
+    std::optional<glm::vec3> diffuse;  ///< Kd
+    std::optional<glm::vec3> specular; ///< Ks
+    std::optional<float> exponent;     ///< alpha of the report: Phong exponent, 0 < exponent <= 1e6
 };
 
 /// Metallic-roughness. [glTF 2.0, 3.9]
@@ -64,7 +64,7 @@ struct Material {
     float alpha_cutoff = 0.5f;
     bool double_sided = false;
     bool unlit = false; ///< KHR_materials_unlit: base colour is the radiance
-    std::optional<PhongMaterial> phong;
+    PhongMaterial phong;
 };
 
 /// Triangles with one material. Per-vertex arrays have one entry a vertex, or none where marked optional.

@@ -1,18 +1,18 @@
 #include "scene/shapes.h"
 
+#include "equations/in_double.h"
+
 #include <cmath>
 #include <cstdint>
 
 namespace lambent::scene {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
-// Direction at `east` (0 to 1 around, from -Z) and `south` (0 to 1 from +Y down).
+// Direction at `east` (0 to 1 around, from -Z) and `south` (0 to 1 from +Y down): a panorama's, seen from inside.
 glm::dvec3 direction(double east, double south)
 {
-    const double ring = std::sin(pi * south);
-    return {-ring * std::sin(2.0 * pi * east), std::cos(pi * south), -ring * std::cos(2.0 * pi * east)};
+    const in_double::vec3 d = in_double::direction_from_equirectangular({0.25 - east, south});
+    return {d.x, d.y, d.z};
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 #include "scene/tangents.h"
 
+#include "equations/in_double.h"
+
 #include "scene/vertices.h"
 
 #include <glm/geometric.hpp>
@@ -23,12 +25,13 @@ enum Side : int { upright = 0, mirrored = 1, no_area = 2 };
 constexpr std::array<float, 2> w_of_side = {1.0f, -1.0f};
 
 // A unit vector perpendicular to a unit vector.
-// [Duff et al., "Building an Orthonormal Basis, Revisited", 2017]
-glm::vec3 any_perpendicular(glm::vec3 n)
+glm::vec3 any_perpendicular(const glm::vec3& n)
 {
-    const float sign = std::copysign(1.0f, n.z);
-    const float a = -1.0f / (sign + n.z);
-    return {1.0f + sign * n.x * n.x * a, sign * n.x * n.y * a, -sign * n.x};
+    const in_double::vec3 x =
+        in_double::orthonormal_frame(
+            {static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z)})
+            .x;
+    return {x.x, x.y, x.z};
 }
 
 std::vector<glm::vec2> transformed(const std::vector<glm::vec2>& texcoords, const glm::mat3& transform)

@@ -1,3 +1,4 @@
+#include "ambient.glsl"
 #include "direct.glsl"
 #include "specular_ggx.glsl"
 #include "specular_phong.glsl"

@@ -16,6 +16,7 @@ struct Arrival {
     vec3 illuminance;
 };
 
+// Light of a lamp at a point. Witness: the inverse square and the cone, in closed form.
 Arrival arrival_from(LocalLight light, vec3 point)
 {
     vec3 way = light.position - point;
@@ -26,7 +27,8 @@ Arrival arrival_from(LocalLight light, vec3 point)
     return a;
 }
 
-// What of it a surface sends towards V: BRDF times illuminance times the cosine.
+// What of it a surface sends towards V: BRDF times illuminance times the cosine. Witness: an independent GGX in double
+// (tests/draw).
 vec3 direct_metallic(Metallic m, vec2 albedo, vec3 N, vec3 V, Arrival a)
 {
     Real NL = dot(N, a.direction);
@@ -34,6 +36,7 @@ vec3 direct_metallic(Metallic m, vec2 albedo, vec3 N, vec3 V, Arrival a)
     return select(NL > 0.0, (NL * f) * a.illuminance, vec3(0.0));
 }
 
+// The same with the report's BRDF. Witness: its closed form at 60 degrees and head on (tests/draw).
 vec3 direct_phong(Phong p, vec3 N, vec3 V, Arrival a)
 {
     Real NL = dot(N, a.direction);
@@ -44,7 +47,7 @@ vec3 direct_phong(Phong p, vec3 N, vec3 V, Arrival a)
 // alpha^2 with the bend of the surface inside a pixel added: a highlight smaller than a pixel is drawn larger and
 // dimmer instead of twinkling. The differentials are of the mirrored direction, which turns twice as far as the
 // normal; a box of width w has variance w^2 / 12. [Tokuyoshi and Kaplanyan 2019, "Improved geometric specular
-// antialiasing", JCGT 10(2): alpha^2 + 2 variance of slopes]
+// antialiasing", JCGT 10(2): alpha^2 + 2 variance of slopes] Witness: the differentials of a sphere.
 Real alpha_in_pixel(Real alpha, vec3 mirrored_dx, vec3 mirrored_dy)
 {
     Real bend2 = 0.25 * (dot(mirrored_dx, mirrored_dx) + dot(mirrored_dy, mirrored_dy));

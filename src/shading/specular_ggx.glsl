@@ -33,7 +33,14 @@ LobeLight specular_ggx(Environment environment, Mirror m)
     vec3 area = cross(m.mirrored_dx, m.mirrored_dy);
     Real per_sample = 1.0 / (Real(sample_count(environment)) * level_one_variance(environment));
     Real lobe_variance = variance_of_spread(spread_ggx(NV, m.alpha)) * per_sample;
-    Real pixel_variance = variance_of_spread(sqrt(dot(area, area))) * per_sample;
+    Real footprint = sqrt(dot(area, area));
+    Real pixel_variance = variance_of_spread(footprint) * per_sample;
+    // Where the lobe is the wider, moving samples about in the pixel only tears gaps into their spiral: they stay in
+    // the middle, and the blur takes the pixel's variance, a twelfth of its area.
+    Real moved2 = pixel_variance / max(pixel_variance + lobe_variance, 1.0e-30);
+    Real moved = sqrt(moved2);
+    Real shared_variance =
+        pixel_variance + (1.0 - moved2) * footprint * (0.08333333333333333 / level_one_variance(environment));
     Real SV = smith_ggx(NV, m.alpha);
     LightSum sum = no_light(environment);
     Real plain_weight = 0.0;
@@ -49,9 +56,9 @@ LobeLight specular_ggx(Environment environment, Mirror m)
         Real weight = NL / max(NL * SV + NV * smith_ggx(NL, m.alpha), 1.0e-20);
         Real weight_grazing = weight * max(schlick_weight(VH), 1.0e-6);
         Real weight_plain = weight - weight_grazing;
-        vec2 place = pixel_point(environment, i);
+        vec2 place = moved * pixel_point(environment, i);
         vec3 d = frame * L + place.x * m.mirrored_dx + place.y * m.mirrored_dy;
-        Real level = level_of_variance(lobe_variance * facet.spread + pixel_variance);
+        Real level = level_of_variance(lobe_variance * facet.spread + shared_variance);
         sum = with_light(environment, sum, d, level, vec2(weight_plain, weight_grazing));
         plain_weight += weight_plain;
         grazing_weight += weight_grazing;

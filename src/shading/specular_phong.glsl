@@ -8,6 +8,7 @@ struct PhongSample {
     Real NH;
 };
 
+// Sample `point` of the lobe. Witness: with them the pass is the quadrature below.
 PhongSample phong_sample(Phong p, mat3 lobe, vec3 N, vec3 V, vec3 point)
 {
     vec3 L = lobe * sample_phong(point, p.exponent);
@@ -23,7 +24,7 @@ PhongSample phong_sample(Phong p, mat3 lobe, vec3 N, vec3 V, vec3 point)
 
 // The average of F / (4 (w.H)^2) environment(w) max(N.w, 0) over N samples of the lobe about the mirrored view
 // (DESIGN, "Specular pass"), each read through a blur as wide as the share of the lobe that it stands for. `across` as
-// in Mirror.
+// in Mirror. Witness: quadrature over the lobe in a white environment (tests/draw).
 vec3 specular_phong(Environment environment, Phong p, vec3 N, vec3 V, vec3 across)
 {
     mat3 lobe = carried_frame(mirrored(N, V), V, across);
@@ -42,7 +43,7 @@ vec3 specular_phong(Environment environment, Phong p, vec3 N, vec3 V, vec3 acros
 
 // The same with the report's own choice of mip level, 1/2 log2(W H / N) - 1/2 log2(D(H) / 4), clamped, in the
 // panorama's own mip chain. The solid angle of the sphere, 4 pi, is missing from its first term: the level is
-// 1.83 too coarse, and narrow lobes show the texels of that level as blocks.
+// 1.83 too coarse, and narrow lobes show the texels of that level as blocks. Witness: levels by the report's formula.
 vec3 specular_phong_report(Environment environment, Phong p, vec3 N, vec3 V, vec3 across)
 {
     mat3 lobe = carried_frame(mirrored(N, V), V, across);

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lambent::cli {
@@ -83,12 +85,18 @@ TEST(Arguments, EveryOptionOfTheContractIsTaken)
                                       "nonlinear",
                                       "--model",
                                       "phong",
+                                      "--mip-level",
+                                      "report",
+                                      "--no-energy-compensation",
+                                      "--density",
+                                      "0.5",
+                                      "--dither",
                                       "--alpha",
                                       "15625",
                                       "--kd",
                                       "0.1,0.2,0.3",
                                       "--ks",
-                                      "1,1,1",
+                                      "0.4,0.5,0.6",
                                       "--ibl",
                                       "sampled",
                                       "--samples",
@@ -98,7 +106,7 @@ TEST(Arguments, EveryOptionOfTheContractIsTaken)
                                       "--aa",
                                       "8",
                                       "--light",
-                                      "directional:90,0,1,2,3",
+                                      "directional:90,30,1,2,3",
                                       "--light",
                                       "point:1,2,3,4,5,6",
                                       "--backend",
@@ -111,29 +119,75 @@ TEST(Arguments, EveryOptionOfTheContractIsTaken)
                                       "json",
                                       "--no-cache",
                                       "--quiet"});
+    constexpr double degree = std::numbers::pi / 180.0;
+    EXPECT_EQ(a.scene, "sphere");
+    EXPECT_EQ(a.output, "x.png");
     EXPECT_EQ(a.environment, "furnace");
     EXPECT_EQ(a.settings.width, 64);
-    EXPECT_NEAR(a.orbit->azimuth, -std::numbers::pi / 6.0, 1e-6);
+    EXPECT_EQ(a.settings.height, 32);
+    ASSERT_TRUE(a.orbit.has_value());
+    EXPECT_NEAR(a.orbit->azimuth, -30.0 * degree, 1e-6);
+    EXPECT_NEAR(a.orbit->elevation, 20.0 * degree, 1e-6);
     EXPECT_EQ(a.orbit->distance, 2.5f);
-    EXPECT_NEAR(a.settings.environment_rotation, std::numbers::pi / 2.0, 1e-6);
+    EXPECT_EQ(a.camera_node, "");
+    EXPECT_NEAR(a.vertical_fov, 60.0 * degree, 1e-6);
+    EXPECT_NEAR(a.settings.environment_rotation, 90.0 * degree, 1e-6);
     EXPECT_EQ(a.settings.background.kind, draw::Background::Kind::blurred);
     EXPECT_EQ(a.settings.background.roughness, 0.25f);
     EXPECT_EQ(a.display.exposure, 7000.0f);
+    EXPECT_EQ(a.display.contrast, 1.5f);
+    EXPECT_EQ(a.display.tone, display::Tone::agx);
     EXPECT_FALSE(a.display.encode);
+    EXPECT_TRUE(a.display.dither);
     EXPECT_EQ(a.settings.texel_transfer, draw::TexelTransfer::none);
+    EXPECT_EQ(a.settings.model, draw::Model::phong);
+    EXPECT_EQ(a.settings.mip_level, draw::MipLevel::report);
+    EXPECT_FALSE(a.settings.energy_compensation);
+    EXPECT_EQ(a.builtin.density, 0.5);
     EXPECT_EQ(a.builtin.exponent, 15625.0f);
-    EXPECT_EQ(a.builtin.diffuse->b, 0.3f);
+    EXPECT_EQ(a.builtin.diffuse, glm::vec3(0.1f, 0.2f, 0.3f));
+    EXPECT_EQ(a.builtin.specular, glm::vec3(0.4f, 0.5f, 0.6f));
     EXPECT_EQ(a.settings.samples, 64);
+    EXPECT_EQ(a.settings.ambient_brightness, 2.0f);
+    EXPECT_EQ(a.settings.edge_samples, 8);
     ASSERT_EQ(a.settings.lights.size(), 2u);
-    EXPECT_EQ(a.settings.lights[0].kind, scene::LightKind::directional);
-    EXPECT_NEAR(a.settings.lights[0].direction.x, -1.0f, 1e-6f); // from azimuth 90, +X, it travels to -X
-    EXPECT_EQ(a.settings.lights[0].intensity.g, 2.0f);
-    EXPECT_EQ(a.settings.lights[1].position.z, 3.0f);
-    EXPECT_EQ(a.settings.lights[1].intensity.r, 4.0f);
+    const scene::Light &sun = a.settings.lights[0], &lamp = a.settings.lights[1];
+    EXPECT_EQ(sun.kind, scene::LightKind::directional);
+    // From azimuth 90, +X, and 30 degrees up it travels to -X and down.
+    EXPECT_NEAR(sun.direction.x, -std::sqrt(0.75), 1e-6);
+    EXPECT_NEAR(sun.direction.y, -0.5, 1e-6);
+    EXPECT_NEAR(sun.direction.z, 0.0, 1e-6);
+    EXPECT_EQ(sun.intensity, glm::vec3(1.0f, 2.0f, 3.0f));
+    EXPECT_EQ(lamp.kind, scene::LightKind::point);
+    EXPECT_EQ(lamp.position, glm::vec3(1.0f, 2.0f, 3.0f));
+    EXPECT_EQ(lamp.intensity, glm::vec3(4.0f, 5.0f, 6.0f));
     EXPECT_EQ(a.common.threads, 1);
     EXPECT_TRUE(a.common.stats_json);
     EXPECT_EQ(a.common.verbosity, Verbosity::quiet);
     EXPECT_EQ(a.layers, "out");
+}
+
+TEST(Arguments, NamesMeanWhatTheySay)
+{
+    using display::Tone;
+    for (const auto& [word, tone] : {std::pair("reinhard", Tone::reinhard),
+                                     {"neutral", Tone::neutral},
+                                     {"aces", Tone::aces},
+                                     {"agx", Tone::agx},
+                                     {"linear", Tone::linear}})
+        EXPECT_EQ(render({"--tone", word}).display.tone, tone) << word;
+    EXPECT_EQ(render({"--model", "ggx"}).settings.model, draw::Model::ggx);
+    EXPECT_EQ(render({"--mip-level", "matched"}).settings.mip_level, draw::MipLevel::matched);
+    EXPECT_TRUE(render({"--space", "linear"}).display.encode);
+    EXPECT_EQ(render({"--camera-node", "front"}).camera_node, "front");
+    EXPECT_EQ(render({"--verbose"}).common.verbosity, Verbosity::verbose);
+    EXPECT_TRUE(render({}).settings.energy_compensation);
+    EXPECT_FALSE(render({}).display.dither);
+    // From the front, a quarter around, above.
+    const glm::vec3 front = render({"--light", "directional:0,0,1,1,1"}).settings.lights[0].direction;
+    EXPECT_NEAR(front.z, -1.0, 1e-6);
+    const glm::vec3 above = render({"--light", "directional:0,90,1,1,1"}).settings.lights[0].direction;
+    EXPECT_NEAR(above.y, -1.0, 1e-6);
 }
 
 TEST(Arguments, PhongDecodesTexelsAsTheReport)
@@ -144,7 +198,9 @@ TEST(Arguments, PhongDecodesTexelsAsTheReport)
 TEST(Arguments, BackgroundsAndColours)
 {
     EXPECT_EQ(render({"--background", "none"}).settings.background.kind, draw::Background::Kind::none);
-    EXPECT_EQ(render({"--background", "0.5,1,2"}).settings.background.color.b, 2.0f);
+    EXPECT_EQ(render({"--background", "0.5,1,2"}).settings.background.color, glm::vec3(0.5f, 1.0f, 2.0f));
+    EXPECT_EQ(render({"--background", "0.5,1,2"}).settings.background.kind, draw::Background::Kind::color);
+    EXPECT_EQ(render({"--background", "env"}).settings.background.kind, draw::Background::Kind::environment);
 }
 
 TEST(Arguments, NonsenseIsRefusedInOneLine)
@@ -201,7 +257,8 @@ TEST(Arguments, NonsenseIsRefusedInOneLine)
                                                        {"--alpha", "0", "--model", "phong"},
                                                        {"--alpha", "2e6", "--model", "phong"}};
     for (const auto& words : bad)
-        EXPECT_FALSE(render_refusal(words).empty()) << words[0] << ' ' << (words.size() > 1 ? words[1] : "");
+        EXPECT_NE(render_refusal(words).find(words[0]), std::string::npos)
+            << words[0] << ' ' << (words.size() > 1 ? words[1] : "") << ": " << render_refusal(words);
 }
 
 TEST(Arguments, HelpNamesEveryOption)
@@ -221,9 +278,18 @@ TEST(Arguments, Environments)
 {
     const auto a =
         std::get<EnvArguments>(parse({"env", "sky", "-o", "s.hdr", "--size", "2048x1024", "--sun", "90,45"}));
+    EXPECT_EQ(a.name, "sky");
+    EXPECT_EQ(a.output, "s.hdr");
     EXPECT_EQ(a.builtin.width, 2048);
+    EXPECT_NEAR(a.builtin.sun_azimuth, std::numbers::pi / 2.0, 1e-6);
     EXPECT_NEAR(a.builtin.sun_elevation, std::numbers::pi / 4.0, 1e-6);
-    EXPECT_FALSE(refusal({"env", "sky", "-o", "s.hdr", "--size", "100x100"}).empty());
+    EXPECT_EQ(refusal({"env", "sky", "-o", "s.hdr", "--size", "100x100"}).find("--size: "), 0u);
+    EXPECT_EQ(
+        std::get<EnvArguments>(parse({"env", "sky", "-o", "s.hdr", "--turbidity", "3.5"})).builtin.turbidity,
+        3.5f);
+    for (const char* haze : {"1", "11", "thick"})
+        EXPECT_EQ(refusal({"env", "sky", "-o", "s.hdr", "--turbidity", haze}).find("--turbidity: "), 0u)
+            << haze;
     for (const char* sun : {"0,-90", "0,91", "0,10,3"})
         EXPECT_EQ(refusal({"env", "sky", "-o", "s.hdr", "--sun", sun}).find("--sun: "), 0u) << sun;
 }

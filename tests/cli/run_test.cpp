@@ -83,6 +83,7 @@ TEST(Run, TheSameCommandGivesTheSameBytesOnAnyNumberOfThreads)
                   0);
         std::ifstream in(path, std::ios::binary);
         const std::string bytes((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+        ASSERT_FALSE(bytes.empty());
         if (first.empty())
             first = bytes;
         EXPECT_EQ(bytes, first);

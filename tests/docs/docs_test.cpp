@@ -86,15 +86,24 @@ void write_example_files(const Folder& folder)
     run_in(folder, {"env", "sky", "--size", "128x64", "-o", "panorama.hdr"});
 }
 
-double difference(const image::CodeImage& a, const image::CodeImage& b)
+// Code values by which two pictures differ: the mean, and the share of bytes that do by more than 6.
+struct Difference {
+    double mean, far;
+};
+
+Difference difference(const image::CodeImage& a, const image::CodeImage& b)
 {
     EXPECT_EQ(a.width, b.width);
     EXPECT_EQ(a.height, b.height);
     EXPECT_EQ(a.bytes.size(), b.bytes.size());
-    double sum = 0.0;
-    for (std::size_t i = 0; i < std::min(a.bytes.size(), b.bytes.size()); ++i)
-        sum += std::abs(a.bytes[i] - b.bytes[i]);
-    return sum / static_cast<double>(a.bytes.size());
+    const double share = 1.0 / static_cast<double>(a.bytes.size());
+    Difference sum{};
+    for (std::size_t i = 0; i < std::min(a.bytes.size(), b.bytes.size()); ++i) {
+        const int apart = std::abs(a.bytes[i] - b.bytes[i]);
+        sum.mean += share * apart;
+        sum.far += apart > 6 ? share : 0.0;
+    }
+    return sum;
 }
 
 TEST(Docs, EveryCommandRunsAndDrawsTheCommittedPicture)
@@ -113,7 +122,9 @@ TEST(Docs, EveryCommandRunsAndDrawsTheCommittedPicture)
                 continue;
             drawn.insert(committed);
             // A code value or two where instructions round otherwise; another picture is off by many.
-            EXPECT_LT(difference(image::read_codes(output), image::read_codes(committed)), 0.5) << committed;
+            const Difference apart = difference(image::read_codes(output), image::read_codes(committed));
+            EXPECT_LT(apart.mean, 0.5) << committed;
+            EXPECT_LE(apart.far, 0.005) << committed;
         }
     EXPECT_GT(run, 8);
     for (const fs::directory_entry& entry : fs::directory_iterator(root / "docs/pictures"))
@@ -123,11 +134,15 @@ TEST(Docs, EveryCommandRunsAndDrawsTheCommittedPicture)
 TEST(Docs, EveryLinkLeadsSomewhere)
 {
     const std::regex link("\\]\\(([^):#]+)\\)");
+    int links = 0;
     for (const fs::path& page : pages()) {
         const std::string text = contents(page);
-        for (std::sregex_iterator i(text.begin(), text.end(), link), end; i != end; ++i)
+        for (std::sregex_iterator i(text.begin(), text.end(), link), end; i != end; ++i) {
+            ++links;
             EXPECT_TRUE(fs::exists(page.parent_path() / (*i)[1].str())) << page << ": " << (*i)[1];
+        }
     }
+    EXPECT_GT(links, 10);
 }
 
 std::set<std::string> options_in(const std::string& text)

@@ -11,10 +11,10 @@ namespace {
 using testing::pixel;
 
 // A lamp of a radius in degrees.
-environment::Environment lamp(glm::dvec3 towards, double radius = 5.0)
+environment::Environment lamp(glm::dvec3 towards, double radius = 5.0, int width = 512)
 {
     const glm::dvec3 axis = glm::normalize(towards);
-    return testing::environment_of(512, [=](glm::dvec3 d) {
+    return testing::environment_of(width, [=](glm::dvec3 d) {
         return glm::dot(d, axis) > std::cos(radius * std::numbers::pi / 180.0) ? glm::vec3(1.0f)
                                                                                : glm::vec3(0.0f);
     });
@@ -97,18 +97,51 @@ TEST(EnvironmentLight, MirrorsAverageOverTheirPixels)
         }
 }
 
-TEST(EnvironmentLight, BlurredBackgroundIsSmootherAndKeepsItsMean)
+// The light of the pixels of look_out(size), by solid angle, and its mean squared angle from the middle.
+struct Spot {
+    double light = 0.0, squared_angle = 0.0;
+};
+
+Spot spot_of(const Frame& frame, int size)
+{
+    Spot spot;
+    const double pixel_area = std::pow(2.0 / size, 2);
+    for (int y = 0; y < size; ++y)
+        for (int x = 0; x < size; ++x) {
+            const double u = 2.0 * (x + 0.5) / size - 1.0, v = 2.0 * (y + 0.5) / size - 1.0;
+            const double r2 = u * u + v * v,
+                         light = pixel(frame, x, y).r * pixel_area * std::pow(1.0 + r2, -1.5);
+            spot.light += light;
+            spot.squared_angle += light * std::pow(std::atan(std::sqrt(r2)), 2);
+        }
+    spot.squared_angle /= spot.light;
+    return spot;
+}
+
+// All of a lamp's light is still there, only wider: the mean squared angle is the lamp's own, radius^2 / 2, and twice
+// the square of the Gaussian's deviation, roughness^2. Bilinear texels of the panorama and of the chain add a little.
+TEST(EnvironmentLight, BlurredBackgroundIsSmootherAndKeepsItsLight)
 {
     scene::Scene nothing;
     nothing.materials.emplace_back();
-    const environment::Environment ahead = lamp({0, 0, -1});
-    Settings settings = look_out(64);
+    const environment::Environment ahead = lamp({0, 0, -1}, 5.0, 2048);
+    const double radius = 5.0 * std::numbers::pi / 180.0,
+                 solid_angle = 2.0 * std::numbers::pi * (1.0 - std::cos(radius));
+    Settings settings = look_out(128);
+    EXPECT_NEAR(spot_of(testing::draw(nothing, &ahead, settings), 128).light / solid_angle, 1.0, 0.03);
     settings.background.kind = Background::Kind::blurred;
-    settings.background.roughness = 0.4f;
-    const Frame blurred = testing::draw(nothing, &ahead, settings);
-    EXPECT_LT(pixel(blurred, 32, 32).r, 0.6f);
-    EXPECT_GT(pixel(blurred, 32, 32).r, pixel(blurred, 40, 32).r);
-    EXPECT_GT(pixel(blurred, 40, 32).r, pixel(blurred, 60, 32).r);
+    for (const float roughness : {0.2f, 0.3f, 0.4f}) {
+        settings.background.roughness = roughness;
+        const Frame blurred = testing::draw(nothing, &ahead, settings);
+        const Spot spot = spot_of(blurred, 128);
+        const double expected = 0.5 * radius * radius + 2.0 * std::pow(static_cast<double>(roughness), 4);
+        EXPECT_NEAR(spot.light / solid_angle, 1.0, 0.02) << roughness;
+        EXPECT_NEAR(spot.squared_angle / expected, 1.0, 0.05) << roughness;
+    }
+    const Frame widest = testing::draw(nothing, &ahead, settings);
+    EXPECT_LT(pixel(widest, 64, 64).r, 0.6f);
+    EXPECT_GT(pixel(widest, 64, 64).r, pixel(widest, 80, 64).r);
+    EXPECT_GT(pixel(widest, 80, 64).r, pixel(widest, 120, 64).r);
 }
 
 // The report's own level choice is 1/2 log2(4 pi) = 1.83 levels coarser: a narrow lobe is blurred further.
@@ -126,6 +159,41 @@ TEST(EnvironmentLight, TheReportsLevelsAreCoarser)
     const float report = pixel(testing::draw(scene, &behind_us, settings), 4, 4).r;
     EXPECT_GT(report, 0.0f);
     EXPECT_LT(report, 0.6f * matched);
+}
+
+// Levels of the report's mip chain, seen: four texels lit around the mirrored direction are (texel of the panorama) /
+// (texel of the level) bright in every level, by solid angle. Four Hammersley points of a lobe narrower than a texel of
+// the level; the first, far out, reads the coarsest level, where next to nothing is left of the light.
+TEST(EnvironmentLight, TheReportsLevelIsThatOfItsFormula)
+{
+    constexpr int width = 512, height = 256;
+    constexpr double exponent = 15625.0;
+    const double texel = 2.0 * std::numbers::pi / width;
+    const environment::Environment spot = testing::environment_of(width, [=](glm::dvec3 d) {
+        return d.z > 0.0 && std::fabs(d.x) < texel && std::fabs(d.y) < texel ? glm::vec3(1.0f)
+                                                                             : glm::vec3(0.0f);
+    });
+    scene::Scene scene;
+    scene::Material glossy;
+    glossy.phong = scene::PhongMaterial{glm::vec3(0.0f), glm::vec3(1.0f), static_cast<float>(exponent)};
+    testing::add(scene, testing::facing_square(1.0f, 0.0f), glossy);
+    Settings settings = testing::small_settings(3, 3, testing::front_camera(0.01f));
+    settings.model = Model::phong;
+    settings.mip_level = MipLevel::report;
+    settings.samples = 4;
+    const auto brightness = [=](double level) {
+        return std::sin(std::numbers::pi / height) /
+               (std::exp2(level) * std::sin(std::numbers::pi / height * std::exp2(level)));
+    };
+    double expected = 0.0;
+    for (const double xi2 : {0.5, 0.25, 0.75}) {
+        const double NH = std::cos(0.5 * std::acos(std::pow(xi2, 1.0 / (exponent + 1.0))));
+        const double D = (exponent + 2.0) / (2.0 * std::numbers::pi) * std::pow(NH, exponent);
+        const double level = 0.5 * std::log2(width * height / 4.0) - 0.5 * std::log2(D / 4.0);
+        const double below = std::floor(level), part = level - below;
+        expected += 0.25 * 0.25 * ((1.0 - part) * brightness(below) + part * brightness(below + 1.0));
+    }
+    EXPECT_NEAR(pixel(testing::draw(scene, &spot, settings), 1, 1).r / expected, 1.0, 0.02);
 }
 
 } // namespace

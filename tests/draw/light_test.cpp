@@ -8,14 +8,8 @@
 namespace lambent::draw {
 namespace {
 
+using testing::matte;
 using testing::pixel;
-
-scene::Material matte(glm::vec3 diffuse)
-{
-    scene::Material material;
-    material.phong = scene::PhongMaterial{diffuse, glm::vec3(0.0f), 1.0f};
-    return material;
-}
 
 scene::Scene square_of(scene::Material material)
 {
@@ -31,7 +25,6 @@ Settings phong_settings(int size)
     return settings;
 }
 
-// Schlick's F at grazing keeps a Phong surface of Ks = 0 from being quite matte: lit and seen head on it is.
 TEST(Lights, DirectionalLightOnAMatteSurface)
 {
     Settings settings = phong_settings(5);
@@ -94,7 +87,7 @@ TEST(Lights, SpotLightsOnlyItsCone)
 TEST(Lights, PhongHighlightHeadOn)
 {
     scene::Material glossy;
-    glossy.phong = scene::PhongMaterial{glm::vec3(0.0f), {0.3f, 0.6f, 0.9f}, 20.0f};
+    glossy.phong = scene::PhongMaterial{glm::vec3(0.0f), glm::vec3(0.3f, 0.6f, 0.9f), 20.0f};
     Settings settings = phong_settings(5);
     scene::Light light;
     light.kind = scene::LightKind::directional;
@@ -129,11 +122,8 @@ TEST(Lights, AmbientLightOfAWhiteSphereOnAMatteSurface)
     settings.layers = true;
     const environment::Environment white = testing::white_environment();
     const Frame frame = testing::draw(square_of(matte({0.5f, 0.25f, 0.75f})), &white, settings);
-    for (const Layer& layer : frame.layers) {
-        if (layer.name != "light_ambient")
-            continue;
-        EXPECT_NEAR(layer.image.pixel(2, 2)[2], 2.0f * 0.75f, 2e-3f); // Kd / pi * irradiance pi * brightness
-    }
+    // Kd / pi * irradiance pi * brightness
+    EXPECT_NEAR(testing::layer_pixel(frame, "light_ambient", 2, 2).b, 2.0f * 0.75f, 2e-3f);
 }
 
 TEST(Lights, LayersOfLightAddUpToThePicture)

@@ -11,6 +11,9 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <stdexcept>
+#include <string>
+#include <string_view>
 
 namespace lambent::draw::testing {
 
@@ -33,6 +36,15 @@ inline scene::Material glowing(glm::vec3 radiance)
     material.base_color = {0.0f, 0.0f, 0.0f, 1.0f};
     material.metallic = 1.0f; // a black metal reflects only at grazing angles, and nothing in darkness
     material.emissive = radiance;
+    return material;
+}
+
+/// The report's material without a highlight: Schlick's F at grazing keeps Ks = 0 from being quite matte, but seen head
+/// on it is.
+inline scene::Material matte(glm::vec3 diffuse)
+{
+    scene::Material material;
+    material.phong = scene::PhongMaterial{diffuse, glm::vec3(0.0f), 1.0f};
     return material;
 }
 
@@ -97,6 +109,21 @@ inline glm::vec4 pixel(const Frame& frame, int x, int y)
 {
     const float* p = frame.radiance.pixel(x, y);
     return {p[0], p[1], p[2], p[3]};
+}
+
+/// Throws where there is none: a test of a layer that is not there would pass.
+inline const Layer& layer_named(const Frame& frame, std::string_view name)
+{
+    for (const Layer& layer : frame.layers)
+        if (layer.name == name)
+            return layer;
+    throw std::runtime_error("no layer named " + std::string(name));
+}
+
+inline glm::vec3 layer_pixel(const Frame& frame, std::string_view name, int x, int y)
+{
+    const float* p = layer_named(frame, name).image.pixel(x, y);
+    return {p[0], p[1], p[2]};
 }
 
 } // namespace lambent::draw::testing

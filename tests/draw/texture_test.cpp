@@ -184,11 +184,9 @@ TEST(Textures, NormalMapsTurnNormalsAtEveryScale)
         Settings settings = testing::small_settings(8, 8, testing::front_camera(scale, 10.0f * scale));
         settings.layers = true;
         const Frame frame = testing::draw(scene, nullptr, settings);
-        for (const Layer& layer : frame.layers)
-            if (layer.name == "normal") {
-                EXPECT_NEAR(layer.image.pixel(4, 4)[0], 0.6f, 0.01f) << scale;
-                EXPECT_NEAR(layer.image.pixel(4, 4)[2], 0.8f, 0.01f) << scale;
-            }
+        const glm::vec3 normal = testing::layer_pixel(frame, "normal", 4, 4);
+        EXPECT_NEAR(normal.x, 0.6f, 0.01f) << scale;
+        EXPECT_NEAR(normal.z, 0.8f, 0.01f) << scale;
     }
 }
 
@@ -203,18 +201,9 @@ TEST(Textures, MetallicRoughnessAndOcclusionComeFromTheirChannels)
     Settings settings = view(8);
     settings.layers = true;
     const Frame frame = testing::draw(scene, nullptr, settings);
-    for (const Layer& layer : frame.layers) {
-        const float value = layer.image.pixel(4, 4)[0];
-        if (layer.name == "occlusion") {
-            EXPECT_NEAR(value, 0.2f, 1e-3f);
-        }
-        if (layer.name == "alpha") {
-            EXPECT_NEAR(value, 0.4f * 0.4f, 1e-3f);
-        }
-        if (layer.name == "metalness") {
-            EXPECT_NEAR(value, 0.8f, 1e-3f);
-        }
-    }
+    EXPECT_NEAR(testing::layer_pixel(frame, "occlusion", 4, 4).r, 0.2f, 1e-3f);
+    EXPECT_NEAR(testing::layer_pixel(frame, "alpha", 4, 4).r, 0.4f * 0.4f, 1e-3f);
+    EXPECT_NEAR(testing::layer_pixel(frame, "metalness", 4, 4).r, 0.8f, 1e-3f);
 }
 
 } // namespace

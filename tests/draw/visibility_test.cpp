@@ -217,41 +217,5 @@ TEST(Visibility, EdgesAreCoveredByTheirShare)
     }
 }
 
-TEST(Visibility, FramedScenesFit)
-{
-    scene::Bounds bounds;
-    bounds.low = {-3.0f, 0.0f, -1.0f};
-    bounds.high = {1.0f, 2.0f, 5.0f};
-    for (float aspect : {0.4f, 1.0f, 2.5f})
-        for (float azimuth : {0.0f, 1.0f, 4.0f})
-            for (float elevation : {-1.5f, 0.0f, 0.7f}) {
-                const Camera camera = orbit_camera(bounds, {azimuth, elevation, 0.0f}, 0.8f, aspect);
-                float most = 0.0f;
-                for (int corner = 0; corner < 8; ++corner) {
-                    const glm::vec3 p(corner & 1 ? bounds.low.x : bounds.high.x,
-                                      corner & 2 ? bounds.low.y : bounds.high.y,
-                                      corner & 4 ? bounds.low.z : bounds.high.z);
-                    const glm::vec3 d = p - camera.position;
-                    const float depth = -glm::dot(d, camera.back);
-                    ASSERT_GT(depth, 0.0f);
-                    const float up = std::tan(0.4f);
-                    most = std::max({most, std::fabs(glm::dot(d, camera.up)) / depth / up,
-                                     std::fabs(glm::dot(d, camera.right)) / depth / (up * aspect)});
-                }
-                EXPECT_LT(most, 1.0f);
-                EXPECT_GT(most, 0.75f);
-            }
-}
-
-TEST(Visibility, OrbitFollowsItsConvention)
-{
-    scene::Bounds bounds;
-    bounds.low = glm::vec3(-1.0f);
-    bounds.high = glm::vec3(1.0f);
-    EXPECT_NEAR(orbit_camera(bounds, {0.0f, 0.0f, 5.0f}, 0.8f, 1.0f).position.z, 5.0f, 1e-5f);
-    EXPECT_NEAR(orbit_camera(bounds, {1.5707963f, 0.0f, 5.0f}, 0.8f, 1.0f).position.x, 5.0f, 1e-5f);
-    EXPECT_NEAR(orbit_camera(bounds, {0.3f, 1.5707963f, 5.0f}, 0.8f, 1.0f).position.y, 5.0f, 1e-5f);
-}
-
 } // namespace
 } // namespace lambent::draw

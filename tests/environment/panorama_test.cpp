@@ -139,6 +139,27 @@ TEST(Panorama, HalvingKeepsTheLight)
     // What is left is the rounding of RGB9E5, up to 2^-10 of a texel; most of this light is in one.
     EXPECT_NEAR(integral(half, all) / integral(p, all), 1.0, 1e-3);
     EXPECT_NEAR(integral(quarter, all) / integral(p, all), 1.0, 2e-3);
+    // Nor is it moved, but within its texel.
+    const Vec before = testing::moment(p), after = testing::moment(half), later = testing::moment(quarter);
+    const double light = integral(p, all);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        EXPECT_NEAR(after[axis], before[axis], 0.01 * light) << axis;
+        EXPECT_NEAR(later[axis], before[axis], 0.03 * light) << axis;
+    }
+}
+
+TEST(Panorama, HalvingKeepsWhereSoftLightComesFromInEachChannel)
+{
+    const Panorama p = testing::coloured_panorama(128), half = halved(p);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        const Vec before = testing::moment(p, channel), after = testing::moment(half, channel);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            // The integral of (b.d) d over the sphere is 4 pi / 3 b.
+            const double wanted = 4.0 / 3.0 * std::numbers::pi * testing::coloured_light[channel].first[axis];
+            EXPECT_NEAR(before[axis], wanted, 1e-2) << channel << ' ' << axis;
+            EXPECT_NEAR(after[axis], wanted, 1e-2) << channel << ' ' << axis;
+        }
+    }
 }
 
 } // namespace

@@ -49,10 +49,13 @@ TEST(Studio, LightsStandWhereTheHeaderSays)
     const Vec brightest = testing::brightest_direction(studio);
     EXPECT_LT(brightest[2], -0.3) << "the rim light is behind";
     EXPECT_GT(brightest[1], 0.3);
-    // The key is the light that matters: no side is lit as well as its.
+    // The key is the light that matters: no side is lit as well as its. Only the top, which all lights reach, may be.
     const double from_key = testing::irradiance(studio, testing::normalized({-1.2, 1.4, 1.2}));
-    for (const Vec& normal : six_normals)
-        EXPECT_LT(normal[1] > 0.0 ? 0.0 : testing::irradiance(studio, normal), from_key);
+    for (const Vec& normal : six_normals) {
+        if (normal[1] > 0.0)
+            continue;
+        EXPECT_LT(testing::irradiance(studio, normal), from_key);
+    }
     EXPECT_LT(luminance(testing::texel_towards(studio, {0.0, -0.3, -1.0})), 0.5) << "the room is dark";
 }
 

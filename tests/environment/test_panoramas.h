@@ -38,23 +38,35 @@ inline double texel_area(int width, int height, int y)
     return 2.0 * std::numbers::pi / width * (std::cos(y * step) - std::cos((y + 1) * step));
 }
 
-/// A grey panorama of a function of direction, averaged over 4x4 points per texel.
-inline Panorama panorama_of(int width, const std::function<double(const Vec&)>& radiance)
+/// A panorama of a function of direction that returns (r, g, b), averaged over 4x4 points per texel.
+inline Panorama coloured_panorama_of(int width, const std::function<Vec(const Vec&)>& radiance)
 {
     const int height = width / 2, fine = 4;
     image::RadianceImage image{width, height, 3, {}};
     image.values.resize(static_cast<std::size_t>(width * height) * 3);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            double sum = 0.0;
+            Vec sum = {0.0, 0.0, 0.0};
             for (int j = 0; j < fine; ++j)
-                for (int i = 0; i < fine; ++i)
-                    sum += radiance(texel_direction(width, height, x + (i + 0.5) / fine - 0.5,
-                                                    y + (j + 0.5) / fine - 0.5));
-            for (int c = 0; c < 3; ++c)
-                image.pixel(x, y)[c] = static_cast<float>(sum / (fine * fine));
+                for (int i = 0; i < fine; ++i) {
+                    const Vec light = radiance(texel_direction(width, height, x + (i + 0.5) / fine - 0.5,
+                                                               y + (j + 0.5) / fine - 0.5));
+                    for (std::size_t c = 0; c < 3; ++c)
+                        sum[c] += light[c];
+                }
+            for (std::size_t c = 0; c < 3; ++c)
+                image.pixel(x, y)[c] = static_cast<float>(sum[c] / (fine * fine));
         }
     return make_panorama(image);
+}
+
+/// Grey.
+inline Panorama panorama_of(int width, const std::function<double(const Vec&)>& radiance)
+{
+    return coloured_panorama_of(width, [&](const Vec& d) {
+        const double light = radiance(d);
+        return Vec{light, light, light};
+    });
 }
 
 /// The hard case: a sun of the given radiance and 0.53 degrees across in a dim sky.
@@ -74,15 +86,69 @@ inline Panorama lone_sun_panorama(int width, const Vec& sun, double sun_radiance
     return panorama_of(width, [=](const Vec& d) { return dot(d, sun) > edge ? sun_radiance : 0.0; });
 }
 
-/// Sum over all texels of radiance (red) times weight(direction) times solid angle.
-inline double integral(const Panorama& p, const std::function<double(const Vec&)>& weight)
+/// A channel, 0 to 2, of a texel.
+inline double radiance_of(const Panorama& p, int x, int y, std::size_t channel)
+{
+    const Rgb c = p.radiance(x, y);
+    return static_cast<double>(channel == 0 ? c.r : channel == 1 ? c.g : c.b);
+}
+
+/// Sum over all texels of radiance times weight(direction) times solid angle.
+inline double integral(const Panorama& p, const std::function<double(const Vec&)>& weight,
+                       std::size_t channel = 0)
 {
     double sum = 0.0;
     for (int y = 0; y < p.height; ++y)
         for (int x = 0; x < p.width; ++x)
-            sum += static_cast<double>(p.radiance(x, y).r) *
-                   weight(texel_direction(p.width, p.height, x, y)) * texel_area(p.width, p.height, y);
+            sum += radiance_of(p, x, y, channel) * weight(texel_direction(p.width, p.height, x, y)) *
+                   texel_area(p.width, p.height, y);
     return sum;
+}
+
+/// The integral of light times direction.
+inline Vec moment(const Panorama& p, std::size_t channel = 0)
+{
+    Vec sum;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        sum[axis] = integral(
+            p, [axis](const Vec& d) { return d[axis]; }, channel);
+    return sum;
+}
+
+/// Light of up to second order in the direction, each channel its own: a + b.d + d.M d, M symmetric. Its irradiance is
+/// known: the clamped cosine keeps pi of the constant, 2 pi / 3 of the first order and pi / 4 of the second.
+/// [Ramamoorthi and Hanrahan 2001, eq. 9]
+struct Quadratic {
+    double constant;
+    Vec first;
+    double xx, yy, zz, xy, xz, yz;
+
+    double second(const Vec& d) const
+    {
+        return xx * d[0] * d[0] + yy * d[1] * d[1] + zz * d[2] * d[2] + xy * d[0] * d[1] + xz * d[0] * d[2] +
+               yz * d[1] * d[2];
+    }
+    double radiance(const Vec& d) const { return constant + dot(first, d) + second(d); }
+    double irradiance(const Vec& n) const
+    {
+        const double mean = (xx + yy + zz) / 3.0; // of the second order's own part, which is constant light
+        return std::numbers::pi * (constant + mean + 2.0 / 3.0 * dot(first, n) + 0.25 * (second(n) - mean));
+    }
+};
+
+/// No two channels, axes or signs alike; nowhere negative.
+constexpr Quadratic coloured_light[3] = {
+    {2.0, {0.0, 1.0, 0.0}, 0.0, 0.3, 0.0, 0.0, -0.5, 0.0},
+    {2.0, {-0.8, 0.0, 0.2}, 0.0, 0.0, 0.0, 0.0, 0.0, 0.6},
+    {1.5, {0.0, -0.3, 0.7}, -0.3, 0.0, 0.2, 0.4, 0.0, 0.0},
+};
+
+inline Panorama coloured_panorama(int width)
+{
+    return coloured_panorama_of(width, [](const Vec& d) {
+        return Vec{coloured_light[0].radiance(d), coloured_light[1].radiance(d),
+                   coloured_light[2].radiance(d)};
+    });
 }
 
 } // namespace lambent::environment::testing

@@ -1,4 +1,4 @@
-// Every function of the text is called by a probe.
+// Every function of the text is called by a probe and names its witness.
 #include "tests/equations/probes.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -94,7 +95,47 @@ std::vector<std::string> included_files()
 
 std::string probes_text()
 {
-    return read_without_comments(std::filesystem::path(TEST_FOLDER) / "probes.glsl");
+    const std::filesystem::path folder = TEST_FOLDER;
+    return read_without_comments(folder / "probes.glsl") +
+           read_without_comments(folder / "probes_shading.glsl");
+}
+
+// Functions of a text that the comment right above names no witness for.
+std::vector<std::string> without_witness(const std::string& text)
+{
+    std::vector<std::string> missing;
+    bool witness = false;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.starts_with("//")) {
+            witness = witness || line.find("Witness:") != std::string::npos ||
+                      line.find("Witnesses:") != std::string::npos;
+            continue;
+        }
+        const std::vector<Call> calls = calls_in(line);
+        if (!calls.empty() && is_definition(calls.front()) && !witness)
+            missing.push_back(calls.front().name);
+        witness = false;
+    }
+    return missing;
+}
+
+void expect_witnesses(const std::filesystem::path& path)
+{
+    std::ifstream file(path);
+    std::ostringstream text;
+    text << file.rdbuf();
+    EXPECT_FALSE(text.str().empty()) << path;
+    EXPECT_EQ(without_witness(text.str()), std::vector<std::string>()) << path;
+}
+
+TEST(Coverage, EveryFunctionHasAWitness)
+{
+    for (const std::string& name : included_files())
+        expect_witnesses(std::filesystem::path(EQUATIONS_FOLDER) / name);
+    for (const auto& entry : std::filesystem::directory_iterator(SHADING_FOLDER))
+        if (entry.path().extension() == ".glsl")
+            expect_witnesses(entry.path());
 }
 
 TEST(Coverage, EveryFunctionIsProbed)
@@ -151,6 +192,15 @@ TEST(Coverage, ScanFindsWhatIsMissing)
     EXPECT_EQ(not_called(text, "y = second(x); z = second(y);"), std::vector<std::string>({"first"}));
     EXPECT_EQ(not_called(text, "x = first(1.0); y = second(x);"), std::vector<std::string>({"second"}));
     EXPECT_EQ(not_called(text, "x = my_first(1.0); second(second(x))"), std::vector<std::string>({"first"}));
+}
+
+TEST(Coverage, ScanFindsWhatHasNoWitness)
+{
+    const std::string text =
+        "// Witness: of the file.\n\n// It is.\n// Witness: two lines.\nReal seen(Real a)\n{\n"
+        "    return second(a);\n}\n// None.\nvec3 missed(vec3 a) { return a; }\n"
+        "Real bare(\n    Real a)\n{\n}\n// Witness: here.\nvec3 also(vec3 a) { return a; }\n";
+    EXPECT_EQ(without_witness(text), std::vector<std::string>({"missed", "bare"}));
 }
 
 } // namespace

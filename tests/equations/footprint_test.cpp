@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
 namespace lambent::test {
 namespace {
 
@@ -57,6 +62,86 @@ TEST(Footprint, DeviationIsTwoThirdsOfTheSpread)
 {
     for (double spread : {1e-8, 0.04, 1.0, 6.0})
         EXPECT_NEAR(std::sqrt(variance_of_spread(spread)), std::sqrt(0.45) * std::sqrt(spread), 1e-14);
+}
+
+// What a sun shows of a lobe: samples in a sunflower spiral, drawn from a Gaussian lobe of deviation 1 on the plane, each
+// the Gaussian that stands for its share.
+class SunThroughALobe {
+public:
+    explicit SunThroughALobe(int samples)
+    {
+        for (int i = 0; i < samples; i++) {
+            const double left = 1.0 - (i + 0.5) / samples; // of the lobe outside this sample
+            const double radius = std::sqrt(-2.0 * std::log(left)), phi = 2.399963229728653 * i;
+            const double density = left / (2.0 * std::numbers::pi);
+            samples_.push_back({radius * std::cos(phi), radius * std::sin(phi),
+                                variance_of_spread(1.0 / (samples * density))});
+        }
+    }
+
+    // Over what the lobe itself has in its middle.
+    double at(double x, double y) const
+    {
+        double sum = 0.0;
+        for (const Sample& s : samples_) {
+            const double dx = x - s.x, dy = y - s.y;
+            sum += std::exp(-0.5 * (dx * dx + dy * dy) / s.variance) / s.variance;
+        }
+        return sum / static_cast<double>(samples_.size());
+    }
+
+    // By how much it rises again, having fallen from its maximum, along a line through the middle.
+    double rise_along(double angle) const
+    {
+        std::vector<double> line;
+        for (int i = -300; i <= 300; i++)
+            line.push_back(at(0.01 * i * std::cos(angle), 0.01 * i * std::sin(angle)));
+        const auto peak = std::max_element(line.begin(), line.end());
+        double rise = 0.0, lowest = *peak;
+        for (auto i = peak; i != line.end(); ++i) {
+            lowest = std::min(lowest, *i);
+            rise = std::max(rise, *i - lowest);
+        }
+        lowest = *peak;
+        for (auto i = peak; i != line.begin(); --i) {
+            lowest = std::min(lowest, *i);
+            rise = std::max(rise, *i - lowest);
+        }
+        return rise;
+    }
+
+private:
+    struct Sample {
+        double x, y, variance;
+    };
+    std::vector<Sample> samples_;
+};
+
+double worst_rise(int samples)
+{
+    const SunThroughALobe sun(samples);
+    double worst = 0.0;
+    for (int i = 0; i < 24; i++)
+        worst = std::max(worst, sun.rise_along(i * std::numbers::pi / 24.0));
+    return worst;
+}
+
+// At the usual 40 samples one maximum and no dots around it; with more of them a ripple too faint to see.
+TEST(Footprint, ASunShowsNoSamples)
+{
+    EXPECT_LT(worst_rise(40), 1e-4);
+    EXPECT_LT(worst_rise(200), 0.03);
+}
+
+// Nor is the highlight washed out: as bright in its middle and at one deviation as the lobe, within a twentieth.
+TEST(Footprint, ASunKeepsTheLobesShape)
+{
+    const SunThroughALobe sun(40);
+    EXPECT_NEAR(sun.at(0.0, 0.0), 1.0, 0.05);
+    double mean = 0.0;
+    for (int i = 0; i < 24; i++)
+        mean += sun.at(std::cos(i * std::numbers::pi / 12.0), std::sin(i * std::numbers::pi / 12.0)) / 24.0;
+    EXPECT_NEAR(mean, std::exp(-0.5), 0.05 * std::exp(-0.5));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <vector>
 
 namespace lambent::test {
@@ -78,6 +79,27 @@ TEST(Frame, CarriedAlongACircleItKeepsItsAngleToIt)
     }
 }
 
+// Close to V as far from it: the axis across, turned by Rodrigues' formula about what is perpendicular to both.
+TEST(Frame, CarriedFrameTendsToTheDirectionAcross)
+{
+    Uniform uniform(8);
+    for (double eps : {1e-1, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8})
+        for (int i = 0; i < 200; i++) {
+            const vec3 V = random_direction(uniform);
+            const mat3 about = orthonormal_frame(V);
+            const double phi = uniform.between(0.0, 2.0 * std::numbers::pi);
+            const vec3 k = std::cos(phi) * about.x + std::sin(phi) * about.y; // the axis of the turn
+            const double cosine = 1.0 - eps, sine = std::sqrt(eps * (2.0 - eps));
+            const vec3 N = cosine * V + sine * in_double::cross(k, V), across = about.x;
+            const mat3 frame = carried_frame(N, V, across);
+            const vec3 turned = cosine * across + sine * in_double::cross(k, across) +
+                                ((1.0 - cosine) * cosine_between(k, across)) * k;
+            EXPECT_LT(distance(frame.x, turned), 1e-12) << eps;
+            EXPECT_LT(distance(frame.x, across), 1.001 * std::sqrt(2.0 * eps)) << eps;
+            EXPECT_LT(frame_error(frame), 1e-12) << eps;
+        }
+}
+
 TEST(Frame, ComponentsInAFrame)
 {
     Uniform uniform(6);
@@ -128,6 +150,28 @@ TEST(Frame, NormalBehindIsBentToFaceTheView)
             EXPECT_NEAR(cosine_between(bent, bent), 1.0, 1e-13);
             EXPECT_GE(cosine_between(bent, V), least);
         }
+}
+
+// Turned in the plane of N and V, and no further than asked but for a margin.
+TEST(Frame, NormalBehindIsBentTowardsTheViewOnlyAsFarAsItMust)
+{
+    Uniform uniform(7);
+    int bent_ones = 0;
+    for (double least : {1e-4, 1e-2, 0.05, 0.09})
+        for (int i = 0; i < 1000; i++) {
+            const vec3 V = random_direction(uniform), N = random_direction(uniform);
+            const double NV = cosine_between(N, V);
+            if (NV >= least || NV < -0.5)
+                continue;
+            bent_ones++;
+            const vec3 bent = facing_normal(N, V, least), plane = in_double::cross(N, V);
+            EXPECT_NEAR(cosine_between(bent, plane), 0.0, 1e-14);
+            // Between N and V, not past V: on N's side of it.
+            EXPECT_GT(cosine_between(in_double::cross(bent, V), plane), 0.0);
+            EXPECT_GT(cosine_between(in_double::cross(N, bent), plane), 0.0);
+            EXPECT_LT(cosine_between(bent, V), 1.25 * least + 0.01);
+        }
+    EXPECT_GT(bent_ones, 1000);
 }
 
 } // namespace

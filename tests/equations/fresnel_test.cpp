@@ -53,6 +53,15 @@ TEST(Fresnel, EndsAreExact)
     }
 }
 
+TEST(Fresnel, DielectricsHaveAnIndexOfOneAndAHalf)
+{
+    EXPECT_NEAR(in_double::dielectric_reflectance(), normal_reflectance(1.5), 1e-15);
+    const vec3 gold(1.0, 0.77, 0.34);
+    EXPECT_EQ(in_double::base_reflectance(gold, 1.0).y, 0.77);
+    EXPECT_EQ(in_double::base_reflectance(gold, 0.0).y, 0.04);
+    EXPECT_NEAR(in_double::base_reflectance(gold, 0.25).z, 0.75 * 0.04 + 0.25 * 0.34, 1e-15);
+}
+
 TEST(Fresnel, WeightIsTheFifthPower)
 {
     for (double cosine : {0.0, 0.1, 0.25, 0.5, 0.9, 1.0})

@@ -29,8 +29,10 @@ std::vector<float> probe_in_glsl(Compute& compute, const Arguments& arguments)
 TEST(ParityGlsl, AgreesWithDouble)
 {
     const std::unique_ptr<Compute> compute = Compute::open();
-    if (!compute)
+    if (!compute) {
+        ASSERT_FALSE(vulkan_required()) << "no Vulkan device";
         GTEST_SKIP() << "no Vulkan device";
+    }
     const Arguments arguments = random_arguments();
     const std::vector<float> results = probe_in_glsl(*compute, arguments);
     const float* from = results.data();
@@ -47,8 +49,10 @@ TEST(ParityGlsl, AgreesWithDouble)
 TEST(ParityGlsl, FiniteAtTheEndsOfItsDomain)
 {
     const std::unique_ptr<Compute> compute = Compute::open();
-    if (!compute)
+    if (!compute) {
+        ASSERT_FALSE(vulkan_required()) << "no Vulkan device";
         GTEST_SKIP() << "no Vulkan device";
+    }
     const Arguments corners = corner_arguments();
     const std::vector<float> results = probe_in_glsl(*compute, corners);
     const size_t each = probe_outputs * corners.points;

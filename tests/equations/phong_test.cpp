@@ -142,6 +142,8 @@ TEST(Phong, ExponentHasThePeakOfTheRoughness)
 {
     for (double alpha : {0.002, 0.01, 0.1, 0.5, 0.9})
         EXPECT_NEAR((phong_exponent(alpha) + 2.0) / (2.0 * pi) * pi * alpha * alpha, 1.0, 1e-12) << alpha;
+    for (double exponent : {0.1, 1.0, 20.0, 15625.0, 9e5})
+        EXPECT_NEAR(phong_exponent(in_double::phong_alpha(exponent)) / exponent, 1.0, 1e-9) << exponent;
     EXPECT_EQ(phong_exponent(1.0), 0.01);
     EXPECT_EQ(phong_exponent(1e-4), 1e6);
 }

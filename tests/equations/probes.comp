@@ -3,6 +3,7 @@
 #include "equations/in_glsl.glsl"
 #include "equations/all.glsl"
 #include "tests/equations/probes.glsl"
+#include "tests/equations/probes_shading.glsl"
 
 // One probe for each row of groups. Number k of probe p for point i is at (width p + k) points + i.
 layout(local_size_x = 64) in;

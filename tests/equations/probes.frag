@@ -4,6 +4,7 @@
 #include "equations/in_glsl.glsl"
 #include "equations/all.glsl"
 #include "tests/equations/probes.glsl"
+#include "tests/equations/probes_shading.glsl"
 
 layout(location = 0) in vec4 first;
 layout(location = 1) in vec4 second;

@@ -1,4 +1,4 @@
-// Every function of the text, called with arguments made from eight numbers in [0, 1): the same text again,
+// Every function of the equations, called with arguments made from eight numbers in [0, 1): the same text again,
 // so that it compiles as GLSL, over lanes and in double, and the three can be compared. Listed in
 // probes_list.h; a test fails when a function of the text is not called here. Arguments are made with
 // additions, multiplications and one normalisation, so that little rounding goes in.
@@ -79,6 +79,11 @@ Outputs fresnel(Inputs i)
     return outputs(fresnel_schlick(vec3(i.a, i.b, i.c), i.d), schlick_weight(i.d));
 }
 
+Outputs fresnel_base(Inputs i)
+{
+    return outputs(base_reflectance(vec3(i.a, i.b, i.c), i.d), dielectric_reflectance());
+}
+
 // frame.glsl
 
 Outputs frame_matrix(Inputs i)
@@ -142,7 +147,8 @@ Outputs phong_terms(Inputs i)
 Outputs phong_sample(Inputs i)
 {
     vec2 t = turn(i.b);
-    return outputs(sample_phong(vec3(-20.0 * i.a, t.x, t.y), decades(i.c, 0.01, 1.0e6)), 0.0);
+    Real exponent = decades(i.c, 0.01, 1.0e6);
+    return outputs(sample_phong(vec3(-20.0 * i.a, t.x, t.y), exponent), phong_alpha(exponent));
 }
 
 Outputs phong_brdf_up_to(Inputs i, Real most)
@@ -293,6 +299,12 @@ Outputs map_cube(Inputs i)
     return outputs(sum, cube_corner_solid_angle(s, t));
 }
 
+Outputs map_cube_place(Inputs i)
+{
+    CubePlace p = cube_from_direction(vec3(2.0 * i.a - 1.0, 2.0 * i.b - 1.0, 2.0 * i.c - 1.0));
+    return outputs(vec3(p.face, p.s, p.t), 0.0);
+}
+
 // spherical_harmonics.glsl
 
 Outputs sh_values(Inputs i)
@@ -384,133 +396,4 @@ Outputs tone_agx_any(Inputs i)
 Outputs tone_agx_some(Inputs i)
 {
     return outputs(tone_agx(some_light(i)), agx_sigmoid(0.55 + 0.1 * i.d));
-}
-
-// shading/
-
-// The hooks of the passes over an environment that is a formula: brighter above, a little darker with the level.
-struct Environment {
-    Real brightness;
-    Real variance;
-    Real base_level;
-    int samples;
-};
-
-int sample_count(Environment e) { return e.samples; }
-
-// Points without structure; the angle by the rational circle.
-vec3 cap_point(Environment e, int k)
-{
-    vec2 t = turn((Real(k) + 0.25) / Real(e.samples));
-    return vec3((Real(k) + 0.5) / Real(e.samples), t.x, t.y);
-}
-
-vec3 lobe_point(Environment e, int k)
-{
-    vec3 p = cap_point(e, k);
-    return vec3(log2(p.x), p.y, p.z);
-}
-
-vec2 pixel_point(Environment e, int k) { return vec2((Real(k) + 0.5) / Real(e.samples) - 0.5, 0.25); }
-
-Real level_one_variance(Environment e) { return e.variance; }
-
-vec3 environment_report_radiance(Environment e, vec3 d, Real level)
-{
-    vec3 n = normalize(d);
-    return e.brightness * vec3(1.5 + n.y, 1.5 + 0.5 * n.x * n.z, 1.0 / (2.0 + min(level, 8.0)));
-}
-
-struct LightSum {
-    vec3 first;
-    vec3 second;
-};
-
-LightSum no_light(Environment e)
-{
-    LightSum none = {vec3(0.0 * e.brightness), vec3(0.0)};
-    return none;
-}
-
-LightSum with_light(Environment e, LightSum sum, vec3 d, Real level, vec2 weights)
-{
-    vec3 light = environment_report_radiance(e, d, level);
-    LightSum more = {sum.first + weights.x * light, sum.second + weights.y * light};
-    return more;
-}
-
-vec3 first_light(Environment e, LightSum sum) { return (e.brightness / e.brightness) * sum.first; }
-vec3 second_light(Environment e, LightSum sum) { return (e.brightness / e.brightness) * sum.second; }
-
-Real report_base_level(Environment e) { return e.base_level; }
-
-#include "shading/all.glsl"
-
-Environment formula(Real brightness)
-{
-    Environment e = {brightness, Real(1.5e-4), Real(9.5), 12};
-    return e;
-}
-
-// A normal, and a view at most 60 degrees or so off it.
-vec3 view_near(vec3 N, Inputs i) { return normalize(N + 0.8 * direction(i.c, i.d)); }
-
-Outputs shading_ggx(Inputs i)
-{
-    vec3 N = direction(i.a, i.b);
-    vec3 V = view_near(N, i);
-    Mirror m = {N, V, mirrored(vec3(0.6, 0.0, 0.8), V), decades(i.e, 1.0e-4, 1.0), 0.1 * i.f * direction(i.g, i.h),
-                0.1 * i.g * direction(i.h, i.f)};
-    LobeLight light = specular_ggx(formula(1.0 + i.h), m);
-    return outputs(light.plain, light.grazing.x);
-}
-
-Outputs shading_phong(Inputs i)
-{
-    vec3 N = direction(i.a, i.b);
-    vec3 V = view_near(N, i);
-    Phong p = {vec3(i.e), vec3(i.f, i.g, i.h), decades(i.e, 0.01, 1.0e6)};
-    return outputs(specular_phong(formula(1.0), p, N, V, mirrored(vec3(0.6, 0.0, 0.8), V)), i.h);
-}
-
-Outputs shading_phong_report(Inputs i)
-{
-    vec3 N = direction(i.a, i.b);
-    vec3 V = view_near(N, i);
-    Phong p = {vec3(i.e), vec3(i.f, i.g, i.h), decades(i.e, 0.01, 1000.0)};
-    return outputs(specular_phong_report(formula(1.0), p, N, V, mirrored(vec3(0.6, 0.0, 0.8), V)), i.h);
-}
-
-LocalLight some_lamp(Inputs i)
-{
-    LocalLight l = {vec3(4.0 * i.e - 2.0, 4.0 * i.f - 2.0, 3.0), vec3(i.g, i.h, 1.0), direction(i.h, i.g), 0.2 * i.a, 0.9, 0.3};
-    return l;
-}
-
-Outputs shading_direct_metallic(Inputs i)
-{
-    vec3 N = direction(i.a, i.b);
-    Metallic m = {vec3(i.e, i.f, i.g), i.h, 0.2 + 0.8 * i.a, 1.0};
-    Arrival a = arrival_from(some_lamp(i), vec3(i.b, i.c, i.d));
-    return outputs(direct_metallic(m, probe_albedo(i.g, i.h), N, view_near(N, i), a), dot(a.direction, N));
-}
-
-Outputs shading_direct_phong(Inputs i)
-{
-    vec3 N = direction(i.a, i.b);
-    Phong p = {vec3(i.e), vec3(i.f, i.g, i.h), decades(i.e, 0.01, 100.0)};
-    Arrival a = arrival_from(some_lamp(i), vec3(i.b, i.c, i.d));
-    return outputs(direct_phong(p, N, view_near(N, i), a),
-                   alpha_in_pixel(i.a, i.b * direction(i.c, i.d), i.e * direction(i.f, i.g)));
-}
-
-Outputs probe(int which, Inputs i)
-{
-#define PROBE(number, name, lanes_absolute, lanes_relative, glsl_absolute, glsl_relative)                    \
-    if (which == number)                                                                                     \
-        return name(i);
-#include "probes_list.h"
-#undef PROBE
-    Outputs none = {Real(0.0), Real(0.0), Real(0.0), Real(0.0)};
-    return none;
 }

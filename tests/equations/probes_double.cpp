@@ -7,6 +7,7 @@ namespace lambent::in_double {
 namespace {
 
 #include "tests/equations/probes.glsl"
+#include "tests/equations/probes_shading.glsl"
 
 } // namespace
 } // namespace lambent::in_double

@@ -10,6 +10,7 @@ namespace {
 
 #include "wide/wide.h"
 #include "tests/equations/probes.glsl"
+#include "tests/equations/probes_shading.glsl"
 
 // n numbers of each input from `from` on, n numbers of each output to `to` on; n is a multiple of the lanes.
 void run(int number, size_t n, const float* from, float* to)

@@ -77,6 +77,32 @@ TEST(Cube, FacesAreVulkansTable)
             }
 }
 
+// Faces and places of directions drawn by hand from Vulkan's table, of other lengths than 1, and a round trip.
+TEST(Cube, PlacesAreTheInverse)
+{
+    struct Case {
+        vec3 d;
+        double face, s, t;
+    };
+    for (const Case& c : {Case{{2, -1, 0.5}, 0, -0.25, 0.5}, Case{{-4, 1, 2}, 1, 0.5, -0.25},
+                          Case{{1, 2, -1}, 2, 0.5, -0.5}, Case{{1, -2, -1}, 3, 0.5, 0.5},
+                          Case{{1, 1, 4}, 4, 0.25, -0.25}, Case{{1, 1, -4}, 5, -0.25, -0.25}}) {
+        const in_double::CubePlace p = in_double::cube_from_direction(c.d);
+        EXPECT_EQ(p.face, c.face);
+        EXPECT_DOUBLE_EQ(p.s, c.s);
+        EXPECT_DOUBLE_EQ(p.t, c.t);
+    }
+    for (int face = 0; face < 6; face++)
+        for (double s : {-0.9, -0.1, 0.7})
+            for (double t : {-0.8, 0.3, 0.95}) {
+                const in_double::CubePlace p =
+                    in_double::cube_from_direction(3.0 * direction_from_cube(face, s, t));
+                EXPECT_EQ(p.face, face);
+                EXPECT_NEAR(p.s, s, 1e-15);
+                EXPECT_NEAR(p.t, t, 1e-15);
+            }
+}
+
 TEST(Cube, CentresAreTheSixAxes)
 {
     const vec3 axes[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};

@@ -20,7 +20,7 @@ TEST(Builtin, NamesAreKnown)
     EXPECT_THROW(make_builtin("cube"), Error);
 }
 
-TEST(Builtin, EveryIndexLeadsSomewhereAndEveryMaterialHasPhong)
+TEST(Builtin, EveryIndexLeadsSomewhere)
 {
     for (const std::string_view name : builtin_names()) {
         const Scene scene = make_builtin(name);
@@ -34,11 +34,6 @@ TEST(Builtin, EveryIndexLeadsSomewhereAndEveryMaterialHasPhong)
             EXPECT_EQ(mesh.normals.size(), mesh.positions.size());
             for (const glm::uvec3 t : mesh.triangles)
                 EXPECT_LT(std::max({t.x, t.y, t.z}), mesh.positions.size());
-        }
-        for (const Material& material : scene.materials) {
-            ASSERT_TRUE(material.phong.has_value()) << name;
-            EXPECT_GT(material.phong->exponent, 0.0f);
-            EXPECT_LE(material.phong->exponent, 1e6f);
         }
     }
 }
@@ -71,7 +66,7 @@ TEST(Builtin, TheReportStandsOnItsPlaneUnderThreeLights)
     }
     EXPECT_NEAR(bounds(scene).low.y, 0.0f, 1e-6f);
     for (const Material& material : scene.materials)
-        EXPECT_EQ(material.phong->exponent, 100.0f);
+        EXPECT_EQ(material.phong.exponent, 100.0f);
     // Neither shape stands in the other.
     const auto box = [&](std::size_t instance) {
         Scene alone = scene;
@@ -128,13 +123,13 @@ TEST(Builtin, OptionsReachEveryMaterial)
     const Scene changed = make_builtin("report", options);
     ASSERT_EQ(plain.materials.size(), changed.materials.size());
     for (std::size_t i = 0; i < plain.materials.size(); ++i) {
-        EXPECT_EQ(changed.materials[i].phong->diffuse, glm::vec3(0.1f, 0.2f, 0.3f));
-        EXPECT_EQ(changed.materials[i].phong->exponent, 15625.0f);
-        EXPECT_EQ(changed.materials[i].phong->specular, plain.materials[i].phong->specular);
+        EXPECT_EQ(changed.materials[i].phong.diffuse, glm::vec3(0.1f, 0.2f, 0.3f));
+        EXPECT_EQ(changed.materials[i].phong.exponent, 15625.0f);
+        EXPECT_EQ(changed.materials[i].phong.specular, plain.materials[i].phong.specular);
         EXPECT_EQ(changed.materials[i].perceptual_roughness, plain.materials[i].perceptual_roughness);
     }
     options.specular = glm::vec3(0.9f);
-    EXPECT_EQ(make_builtin("teapot", options).materials[0].phong->specular, glm::vec3(0.9f));
+    EXPECT_EQ(make_builtin("teapot", options).materials[0].phong.specular, glm::vec3(0.9f));
 }
 
 TEST(Builtin, DensityChangesTheNumberOfTriangles)

@@ -46,7 +46,7 @@ TEST(GltfMaterial, EmptyMaterialHasTheDefaults)
     EXPECT_EQ(material.alpha_cutoff, 0.5f);
     EXPECT_FALSE(material.double_sided);
     EXPECT_FALSE(material.unlit);
-    EXPECT_FALSE(material.phong.has_value());
+    EXPECT_FALSE(material.phong.diffuse || material.phong.specular || material.phong.exponent);
 }
 
 TEST(GltfMaterial, AllFactorsAreRead)

@@ -1,7 +1,9 @@
 #include "tests/vulkan/compute.h"
 
+#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
+#include <string_view>
 
 #if defined(__SANITIZE_ADDRESS__)
 #define LAMBENT_LEAKS_ARE_WATCHED 1
@@ -84,6 +86,12 @@ Compute::Undo::~Undo()
         steps.back()();
         steps.pop_back();
     }
+}
+
+bool vulkan_required()
+{
+    const char* value = std::getenv("LAMBENT_REQUIRE_VULKAN");
+    return value && std::string_view(value) == "1";
 }
 
 std::unique_ptr<Compute> Compute::open()

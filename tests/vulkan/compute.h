@@ -18,6 +18,9 @@ struct Groups {
     uint32_t z = 1;
 };
 
+// Whether a test is to fail, not to be skipped, where there is no device: LAMBENT_REQUIRE_VULKAN=1 in the environment.
+bool vulkan_required();
+
 class Compute {
 public:
     // The first device that has a queue for compute, software included; Vulkan 1.1. Null where there is no

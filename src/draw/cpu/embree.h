@@ -1,5 +1,7 @@
-// Embree 3 or 4, whichever is installed: the two calls that differ.
+// Embree 3 or 4, whichever is installed: the two calls that differ, and who releases what.
 #pragma once
+
+#include <memory>
 
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
@@ -24,3 +26,14 @@ inline void intersect16(const int* valid, RTCScene scene, RTCRayHit16* rays)
 }
 } // namespace lambent::draw
 #endif
+
+namespace lambent::draw {
+
+struct EmbreeRelease {
+    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+using EmbreeDevice = std::unique_ptr<RTCDeviceTy, EmbreeRelease>;
+using EmbreeScene = std::unique_ptr<RTCSceneTy, EmbreeRelease>;
+
+} // namespace lambent::draw

@@ -15,6 +15,7 @@ namespace lambent::draw::HWY_NAMESPACE {
 namespace {
 
 #include "wide/wide.h"
+#include "draw/cpu/wide_fragments.h"
 #include "environment/wide_cube.h"
 #include "environment/wide_panorama.h"
 
@@ -108,23 +109,6 @@ HWY_INLINE vec3 environment_report_radiance(const Environment& e, vec3 d, Real l
 
 #include "shading/all.glsl"
 
-vec3 load3(const Fragments& f, Column first, size_t at)
-{
-    return vec3(load(f[first] + at), load(f[Column(first + 1)] + at), load(f[Column(first + 2)] + at));
-}
-
-void store3(vec3 v, Fragments& f, Column first, size_t at)
-{
-    store(v.x, f[first] + at);
-    store(v.y, f[Column(first + 1)] + at);
-    store(v.z, f[Column(first + 2)] + at);
-}
-
-vec3 uniform(glm::vec3 v)
-{
-    return vec3(v.x, v.y, v.z);
-}
-
 // A direction of the world, in the environment's own frame.
 vec3 turned(const LightContext& c, vec3 d)
 {
@@ -199,9 +183,9 @@ void add_ambient(const LightContext& c, size_t at, Fragments& f)
         const Metallic m = metallic_at(c, f, at);
         diffuse = reflectance_metallic(m, albedo_of(dot(N, load3(f, view_x, at)), m.alpha)).diffuse;
     }
-    const Real factor = Real(0.3183098861837907f * c.ambient_brightness) * load(f[occlusion] + at);
+    const Real brightness = Real(c.ambient_brightness) * load(f[occlusion] + at);
     store3(irradiance, f, irradiance_r, at);
-    store3(factor * diffuse * irradiance, f, ambient_r, at);
+    store3(ambient_light(diffuse, irradiance, brightness), f, ambient_r, at);
 }
 
 void add_specular(const LightContext& c, const Environment& e, size_t at, Fragments& f)

@@ -20,26 +20,21 @@ double decoded(double code, TexelTransfer transfer)
     return transfer == TexelTransfer::srgb ? in_double::srgb_decode(code) : in_double::power(code, 2.2);
 }
 
-double encoded(double light, TexelTransfer transfer)
-{
-    if (transfer == TexelTransfer::none)
-        return light;
-    return transfer == TexelTransfer::srgb ? in_double::srgb_encode(light)
-                                           : in_double::power(light, 1.0 / 2.2);
-}
-
 // Between 8-bit codes and linear light. Encoding looks up 16-bit light: its steps are a twentieth of a code in the dark.
 struct CodeTables {
     std::array<float, 256> light;
-    std::vector<std::uint8_t> code;
+    std::array<std::uint8_t, 65536> code;
 
-    explicit CodeTables(TexelTransfer transfer) : code(65536)
+    explicit CodeTables(TexelTransfer transfer)
     {
         for (std::size_t i = 0; i < light.size(); ++i)
             light[i] = static_cast<float>(decoded(static_cast<double>(i) / 255.0, transfer));
-        for (std::size_t i = 0; i < code.size(); ++i)
-            code[i] =
-                static_cast<std::uint8_t>(encoded(static_cast<double>(i) / 65535.0, transfer) * 255.0 + 0.5);
+        // The code whose own light is nearest in codes: it changes half way from one to the next.
+        std::size_t next = 0;
+        for (std::size_t k = 0; k < light.size(); ++k)
+            for (const double end = decoded((static_cast<double>(k) + 0.5) / 255.0, transfer) * 65535.0;
+                 next < code.size() && (k == 255 || static_cast<double>(next) < end); ++next)
+                code[next] = static_cast<std::uint8_t>(k);
     }
 
     std::uint8_t encode(float value) const
@@ -48,39 +43,65 @@ struct CodeTables {
     }
 };
 
+// Made when they are first asked for: most scenes have textures of one kind and plain numbers.
 const CodeTables& tables(TexelTransfer transfer)
 {
-    static const CodeTables srgb(TexelTransfer::srgb), power(TexelTransfer::power_2_2),
-        none(TexelTransfer::none);
-    return transfer == TexelTransfer::srgb ? srgb : transfer == TexelTransfer::power_2_2 ? power : none;
+    if (transfer == TexelTransfer::srgb) {
+        static const CodeTables srgb(TexelTransfer::srgb);
+        return srgb;
+    }
+    if (transfer == TexelTransfer::power_2_2) {
+        static const CodeTables power(TexelTransfer::power_2_2);
+        return power;
+    }
+    static const CodeTables none(TexelTransfer::none);
+    return none;
 }
 
 // One level without borders, as linear RGBA.
 struct LinearLevel {
-    int width, height;
+    int width = 0, height = 0;
     std::vector<float> rgba;
+
+    const float* texel(int x, int y) const
+    {
+        return rgba.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                  static_cast<std::size_t>(x));
+    }
 };
 
-LinearLevel decode(const image::CodeImage& image, TexelTransfer transfer)
-{
-    const std::size_t count =
-        static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4;
-    LinearLevel level{image.width, image.height, std::vector<float>(count)};
-    if (image.bits == 8) {
-        const CodeTables& color = tables(transfer);
-        const CodeTables& alpha = tables(TexelTransfer::none);
-        for (std::size_t i = 0; i < count; ++i)
-            level.rgba[i] = (i % 4 == 3 ? alpha : color).light[image.bytes[i]];
-        return level;
+// The image itself as the finest level: its codes are kept, its light is decoded texel by texel and never as a whole,
+// which would be four times as large.
+struct Source {
+    const image::CodeImage& image;
+    TexelTransfer transfer;
+    const CodeTables &color = tables(transfer), &alpha = tables(TexelTransfer::none);
+    int width = image.width, height = image.height;
+
+    std::array<float, 4> texel(int x, int y) const
+    {
+        const std::size_t first = code_index(x, y);
+        std::array<float, 4> rgba;
+        for (std::size_t c = 0; c < 4; ++c)
+            rgba[c] = image.bits == 8 ? (c == 3 ? alpha : color).light[image.bytes[first + c]]
+                                      : decoded_16(first + c, c == 3 ? TexelTransfer::none : transfer);
+        return rgba;
     }
-    for (std::size_t i = 0; i < count; ++i) {
+
+    std::size_t code_index(int x, int y) const
+    {
+        return 4 *
+               (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+    }
+
+private:
+    float decoded_16(std::size_t index, TexelTransfer by) const
+    {
         std::uint16_t code = 0;
-        std::memcpy(&code, image.bytes.data() + 2 * i, 2);
-        level.rgba[i] =
-            static_cast<float>(decoded(code / 65535.0, i % 4 == 3 ? TexelTransfer::none : transfer));
+        std::memcpy(&code, image.bytes.data() + 2 * index, 2);
+        return static_cast<float>(decoded(code / 65535.0, by));
     }
-    return level;
-}
+};
 
 // Which texels of a row of `from` a texel of the next level covers, and how much of each: two, or three if odd.
 struct Coverage {
@@ -99,23 +120,20 @@ Coverage coverage(int texel, int from, int to)
     return {2 * texel, 3, {left, middle, right}};
 }
 
-LinearLevel next_level(const LinearLevel& from)
+template <class Level>
+LinearLevel next_level(const Level& from)
 {
     LinearLevel to{std::max(from.width / 2, 1), std::max(from.height / 2, 1), {}};
     to.rgba.resize(static_cast<std::size_t>(to.width) * static_cast<std::size_t>(to.height) * 4);
     tbb::parallel_for(0, to.height, [&](int y) {
         const Coverage rows = coverage(y, from.height, to.height);
-        for (int x = 0; x < to.width; ++x) {
+        float* out = to.rgba.data() + 4 * static_cast<std::size_t>(y) * static_cast<std::size_t>(to.width);
+        for (int x = 0; x < to.width; ++x, out += 4) {
             const Coverage columns = coverage(x, from.width, to.width);
-            float* out =
-                to.rgba.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(to.width) +
-                                      static_cast<std::size_t>(x));
             for (int j = 0; j < rows.count; ++j)
                 for (int i = 0; i < columns.count; ++i) {
-                    const float* in = from.rgba.data() + 4 * (static_cast<std::size_t>(rows.first + j) *
-                                                                  static_cast<std::size_t>(from.width) +
-                                                              static_cast<std::size_t>(columns.first + i));
-                    for (int c = 0; c < 4; ++c)
+                    const auto in = from.texel(columns.first + i, rows.first + j);
+                    for (std::size_t c = 0; c < 4; ++c)
                         out[c] += rows.weight[j] * columns.weight[i] * in[c];
                 }
         }
@@ -128,28 +146,58 @@ int wrapped(int x, int size, scene::Wrap wrap)
     return wrap == scene::Wrap::repeat ? (x + size) % size : std::clamp(x, 0, size - 1);
 }
 
-void store_level(const LinearLevel& level, int index, PackedTexture& texture)
+template <class Rgba>
+void store_halfs(const Rgba& rgba, std::uint8_t* out)
+{
+    for (std::size_t c = 0; c < 4; ++c) {
+        const std::uint16_t half = environment::to_half(rgba[c]);
+        std::memcpy(out + 2 * c, &half, 2);
+    }
+}
+
+void store_codes(const Source& source, int x, int y, std::uint8_t* out)
+{
+    std::memcpy(out, source.image.bytes.data() + source.code_index(x, y), 4);
+}
+
+// A level with its border, which goes on as the sampler says. `store` writes the texel at (x, y).
+template <class Store>
+void store_level(int index, PackedTexture& texture, const Store& store)
 {
     const std::size_t texel_size = texture.half_floats ? 8 : 4;
-    const CodeTables& color = tables(texture.transfer);
-    const CodeTables& alpha = tables(TexelTransfer::none);
-    std::uint8_t* out = texture.bytes.data() + texel_size * static_cast<std::size_t>(texture.start[index]);
-    for (int y = -1; y <= level.height; ++y)
-        for (int x = -1; x <= level.width; ++x, out += texel_size) {
-            const std::size_t row =
-                static_cast<std::size_t>(wrapped(y, level.height, texture.sampler.wrap_v));
-            const std::size_t column =
-                static_cast<std::size_t>(wrapped(x, level.width, texture.sampler.wrap_u));
-            const float* in = level.rgba.data() + 4 * (row * static_cast<std::size_t>(level.width) + column);
-            for (int c = 0; c < 4; ++c) {
-                if (!texture.half_floats) {
-                    out[c] = (c == 3 ? alpha : color).encode(in[c]);
-                    continue;
-                }
-                const std::uint16_t half = environment::to_half(in[c]);
-                std::memcpy(out + 2 * c, &half, 2);
-            }
-        }
+    const int width = texture.width[index], height = texture.height[index];
+    std::uint8_t* const texels =
+        texture.bytes.data() + texel_size * static_cast<std::size_t>(texture.start[index]);
+    tbb::parallel_for(-1, height + 1, [&](int y) {
+        const int row = wrapped(y, height, texture.sampler.wrap_v);
+        std::uint8_t* out =
+            texels + texel_size * static_cast<std::size_t>(y + 1) * static_cast<std::size_t>(width + 2);
+        for (int x = -1; x <= width; ++x, out += texel_size)
+            store(wrapped(x, width, texture.sampler.wrap_u), row, out);
+    });
+}
+
+void store_source(const Source& source, PackedTexture& texture)
+{
+    if (texture.half_floats)
+        store_level(0, texture,
+                    [&](int x, int y, std::uint8_t* out) { store_halfs(source.texel(x, y), out); });
+    else
+        store_level(0, texture, [&](int x, int y, std::uint8_t* out) { store_codes(source, x, y, out); });
+}
+
+void store_linear(const LinearLevel& level, int index, const Source& source, PackedTexture& texture)
+{
+    const auto encode = [&](int x, int y, std::uint8_t* out) {
+        const float* rgba = level.texel(x, y);
+        for (int c = 0; c < 4; ++c)
+            out[c] = (c == 3 ? source.alpha : source.color).encode(rgba[c]);
+    };
+    if (texture.half_floats)
+        store_level(index, texture,
+                    [&](int x, int y, std::uint8_t* out) { store_halfs(level.texel(x, y), out); });
+    else
+        store_level(index, texture, encode);
 }
 
 } // namespace
@@ -177,11 +225,12 @@ PackedTexture pack_texture(const image::CodeImage& image, const scene::Sampler& 
         height = std::max(height / 2, 1);
     }
     texture.bytes.resize(static_cast<std::size_t>(texels) * (texture.half_floats ? 8 : 4) + 16);
-    LinearLevel level = decode(image, transfer);
-    store_level(level, 0, texture);
+    const Source source{image, transfer};
+    store_source(source, texture);
+    LinearLevel level;
     for (int index = 1; index < texture.levels; ++index) {
-        level = next_level(level);
-        store_level(level, index, texture);
+        level = index == 1 ? next_level(source) : next_level(level);
+        store_linear(level, index, source, texture);
     }
     return texture;
 }

@@ -42,7 +42,9 @@ PreparedScene::PreparedScene(const scene::Scene& scene, TexelTransfer transfer)
         context.mesh = &mesh;
         context.material = &scene.materials[static_cast<std::size_t>(material)];
         context.transform = instance.transform;
-        context.normals = glm::transpose(glm::inverse(glm::mat3(instance.transform)));
+        const glm::mat3 linear(instance.transform);
+        context.normals = glm::transpose(glm::inverse(linear));
+        context.handedness = glm::determinant(linear) < 0.0f ? -1.0f : 1.0f;
         const scene::Material& m = *context.material;
         context.textures = {texture(m.base_color_texture, transfer),
                             texture(m.metallic_roughness_texture, TexelTransfer::none),

@@ -1,12 +1,32 @@
 #include "draw/cpu/sight.h"
 
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+
 namespace lambent::draw {
 namespace {
 
 // A ray that has gone through so many backs sees nothing any more.
 constexpr int most_backs = 256;
 
+// Whether all rays of pictures of any size that is drawn may be traced. Not a number is not within.
+bool within_reach(const RayMap& map)
+{
+    constexpr float widest = 65536.0f;
+    const auto all_within = [](const glm::vec3& start, const glm::vec3& dx, const glm::vec3& dy) {
+        const glm::vec3 most = glm::abs(start) + widest * (glm::abs(dx) + glm::abs(dy));
+        return glm::all(glm::lessThanEqual(most, glm::vec3(Visibility::furthest)));
+    };
+    return all_within(map.origin, map.origin_dx, map.origin_dy) &&
+           all_within(map.direction, map.direction_dx, map.direction_dy);
+}
+
 } // namespace
+
+Sight::Sight(const PreparedScene& scene, const RayMap& map)
+    : scene_(scene), map_(map), within_reach_(within_reach(map))
+{
+}
 
 void Sight::trace(const std::vector<Look*>& looks)
 {
@@ -30,6 +50,11 @@ void Sight::trace(const std::vector<Look*>& looks)
 void Sight::look(std::vector<Look>& looks)
 {
     waiting_.clear();
+    if (!within_reach_) {
+        for (Look& look : looks)
+            look.hit = {};
+        return;
+    }
     for (Look& look : looks)
         waiting_.push_back(&look);
     for (int round = 0; round < most_backs && !waiting_.empty(); ++round) {

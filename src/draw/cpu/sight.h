@@ -21,9 +21,9 @@ struct Look {
 /// Looks through a scene; keeps its buffers from call to call.
 class Sight {
 public:
-    Sight(const PreparedScene& scene, const RayMap& map) : scene_(scene), map_(map) {}
+    Sight(const PreparedScene& scene, const RayMap& map);
 
-    /// Fills the hits of all looks. Looks next to each other should be next to each other in the picture.
+    /// Fills the hits of all looks; from beyond Visibility::furthest nothing is seen. Looks next to each other should be next to each other in the picture.
     void look(std::vector<Look>& looks);
 
 private:
@@ -31,6 +31,7 @@ private:
 
     const PreparedScene& scene_;
     RayMap map_;
+    bool within_reach_; ///< of Visibility
     Rays rays_;
     std::vector<Hit> hits_;
     std::vector<Look*> waiting_;

@@ -13,6 +13,7 @@ namespace lambent::draw::HWY_NAMESPACE {
 namespace {
 
 #include "wide/wide.h"
+#include "draw/cpu/wide_fragments.h"
 #include "draw/cpu/wide_texture.h"
 
 // Smallest alpha: below it a lobe is narrower than float arithmetic tells apart.
@@ -21,20 +22,9 @@ constexpr double least_alpha = 1.0e-4;
 // A shading normal that faces further away from the viewer than this is bent towards him.
 constexpr double least_view_cosine = 1.0e-3;
 
-vec3 uniform(glm::vec3 v)
-{
-    return vec3(v.x, v.y, v.z);
-}
 mat3 uniform(const glm::mat3& m)
 {
     return mat3(uniform(m[0]), uniform(m[1]), uniform(m[2]));
-}
-
-void store3(vec3 v, Fragments& f, Column first, size_t at)
-{
-    store(v.x, f[first] + at);
-    store(v.y, f[Column(first + 1)] + at);
-    store(v.z, f[Column(first + 2)] + at);
 }
 
 // One attribute at the three corners of each lane's triangle.
@@ -174,8 +164,7 @@ Turning shading_normal(const SurfaceContext& c, const Fragments& f, size_t at, c
     return {normal, dx - dot(normal, dx) * normal, dy - dot(normal, dy) * normal};
 }
 
-TexturePoint texture_point(const SurfaceContext& c, const scene::TextureUse& use, const Corners<2>* sets,
-                           const Barycentric& at)
+TexturePoint texture_point(const scene::TextureUse& use, const Corners<2>* sets, const Barycentric& at)
 {
     const Corners<2>& corners = sets[use.texcoord];
     const glm::mat3& m = use.transform;
@@ -186,19 +175,17 @@ TexturePoint texture_point(const SurfaceContext& c, const scene::TextureUse& use
     const vec2 b = coordinate(corners, 1) - first, d = coordinate(corners, 2) - first;
     const vec2 column0(m[0][0], m[0][1]), column1(m[1][0], m[1][1]), column2(m[2][0], m[2][1]);
     const auto turned = [&](vec2 v) HWY_ATTR { return v.x * column0 + v.y * column1; };
-    static_cast<void>(c);
     return {turned(first + at.b * b + at.c * d) + column2, turned(at.b_dx * b + at.c_dx * d),
             turned(at.b_dy * b + at.c_dy * d)};
 }
 
 // All that textures of one vector of fragments need.
 struct Texturing {
-    const SurfaceContext& context;
     Barycentric at;
     Corners<2> sets[2];
 
     Texturing(const SurfaceContext& c, const Fragments& f, size_t first, const Barycentric& weights)
-        : context(c), at(weights)
+        : at(weights)
     {
         for (int set = 0; set < 2; ++set)
             if (!c.mesh->texcoords[set].empty())
@@ -211,7 +198,7 @@ struct Texturing {
     {
         if (!texture)
             return {otherwise, otherwise, otherwise, otherwise};
-        return read_texture(*texture, texture_point(context, use, sets, at));
+        return read_texture(*texture, texture_point(use, sets, at));
     }
 };
 
@@ -225,8 +212,7 @@ vec3 mapped_normal(const SurfaceContext& c, const Fragments& f, size_t at, const
     // Of unit length, or the bumps would grow and shrink with the mesh.
     const vec3 along = uniform(glm::mat3(c.transform)) * interpolate3(corners, t.at);
     const vec3 tangent = inversesqrt(max(dot(along, along), 1.0e-30)) * along;
-    const float mirrored = glm::determinant(glm::mat3(c.transform)) < 0.0f ? -1.0f : 1.0f;
-    const vec3 bitangent = (Real(mirrored) * load(corners.values[0][3])) * cross(normal, tangent);
+    const vec3 bitangent = (Real(c.handedness) * load(corners.values[0][3])) * cross(normal, tangent);
     const Color code = t.read(c.textures.normal, c.material->normal_texture, 0.0);
     const Real scale = c.material->normal_scale;
     const vec3 mapped = ((2.0 * code.r - 1.0) * scale) * tangent +
@@ -280,13 +266,10 @@ Material material_at(const SurfaceContext& c, const Fragments& f, size_t at, con
 void store_phong(const SurfaceContext& c, const Material& m, size_t at, Fragments& f)
 {
     const vec3 base(m.base.r, m.base.g, m.base.b);
-    vec3 diffuse = (1.0 - m.metalness) * base, specular = mix(vec3(0.04), base, m.metalness);
-    Real exponent = phong_exponent(m.roughness * m.roughness);
-    if (c.material->phong) {
-        diffuse = uniform(c.material->phong->diffuse);
-        specular = uniform(c.material->phong->specular);
-        exponent = c.material->phong->exponent;
-    }
+    const scene::PhongMaterial& given = c.material->phong;
+    const vec3 diffuse = given.diffuse ? uniform(*given.diffuse) : (1.0 - m.metalness) * base;
+    const vec3 specular = given.specular ? uniform(*given.specular) : base_reflectance(base, m.metalness);
+    const Real exponent = given.exponent ? Real(*given.exponent) : phong_exponent(m.roughness * m.roughness);
     store3(diffuse, f, base_r, at);
     store3(specular, f, specular_r, at);
     store(exponent, f[gloss] + at);
@@ -303,7 +286,7 @@ void store_material(const SurfaceContext& c, const Material& m, size_t at, Fragm
         store_phong(c, m, at, f);
     } else {
         store3(base, f, base_r, at);
-        store3(mix(vec3(0.04), base, m.metalness), f, specular_r, at);
+        store3(base_reflectance(base, m.metalness), f, specular_r, at);
         store(max(m.roughness * m.roughness, least_alpha), f[gloss] + at);
     }
     store3(material.unlit ? base : m.emitted, f, emitted_r, at);
@@ -320,8 +303,7 @@ void find_surface(const SurfaceContext& c, size_t at, Fragments& f)
     const vec3 view = -(length * sight.direction);
     const auto view_change = [&](vec3 step) HWY_ATTR { return -(length * (step - dot(step, view) * view)); };
 
-    const float mirrored = glm::determinant(glm::mat3(c.transform)) < 0.0f ? -1.0f : 1.0f;
-    const Mask behind = Real(mirrored) * dot(facet.normal, view) < 0.0;
+    const Mask behind = Real(c.handedness) * dot(facet.normal, view) < 0.0;
     const vec3 mapped = mapped_normal(c, f, at, texturing, turning.normal);
     const vec3 normal = facing_normal(select(behind, -mapped, mapped), view, least_view_cosine);
     const Real side = select(behind, -1.0, 1.0);

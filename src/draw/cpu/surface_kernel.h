@@ -30,6 +30,7 @@ struct SurfaceContext {
     MaterialTextures textures;
     glm::mat4 transform{1.0f}; ///< world from mesh
     glm::mat3 normals{1.0f};   ///< world from mesh for normals, up to length; keeps what is outside outside
+    float handedness = 1.0f;   ///< -1 where the transform mirrors
 };
 
 /// Fills the surface columns, `opacity` and `emitted_*` of the fragments [begin, end), multiples of

@@ -41,17 +41,6 @@ glm::vec3 unit(const glm::vec3& v)
     return largest > 0.0f ? glm::normalize(v / largest) : glm::vec3(0.0f);
 }
 
-// Whether Embree takes a ray; it ends the program over one from further away, or one that is not a number.
-bool traceable(const Rays& rays, std::size_t i)
-{
-    constexpr float furthest = 1.0e18f;
-    bool taken = rays.near[i] >= 0.0f;
-    for (int axis = 0; axis < 3; ++axis)
-        taken = taken && std::fabs(rays.origin[axis][i]) <= furthest &&
-                std::fabs(rays.direction[axis][i]) <= furthest;
-    return taken;
-}
-
 // Copies sixteen rays, the last ones of a short packet being switched off.
 void load_packet(const Rays& rays, std::size_t first, RTCRayHit16& packet_rays, int* valid)
 {
@@ -65,7 +54,7 @@ void load_packet(const Rays& rays, std::size_t first, RTCRayHit16& packet_rays, 
         copy(ray.dir_z, rays.direction[2]);
     copy(ray.tnear, rays.near);
     for (std::size_t i = 0; i < packet; ++i) {
-        valid[i] = i < count && traceable(rays, first + i) ? -1 : 0;
+        valid[i] = i < count ? -1 : 0;
         ray.tfar[i] = std::numeric_limits<float>::infinity();
         ray.time[i] = 0.0f;
         ray.mask[i] = ~0u;
@@ -87,31 +76,20 @@ void Rays::resize(std::size_t count)
 
 Visibility::Visibility(const scene::Scene& scene) : scene_(scene)
 {
-    device_ = rtcNewDevice(nullptr);
+    device_.reset(rtcNewDevice(nullptr));
     if (!device_)
         throw Error(Failure::no_device, "Embree cannot run on this processor");
-    world_ = rtcNewScene(device_);
+    world_.reset(rtcNewScene(device_.get()));
     std::vector<int> uses(scene.meshes.size(), 0);
     for (const scene::Instance& instance : scene.instances)
         ++uses[static_cast<std::size_t>(instance.mesh)];
-    mesh_scenes_.assign(scene.meshes.size(), nullptr);
-    for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
+    mesh_scenes_.resize(scene.meshes.size());
+    for (std::uint32_t i = 0; i < scene.instances.size(); ++i)
         add_instance(i, uses);
-    }
-    rtcCommitScene(world_);
-    if (const RTCError error = rtcGetDeviceError(device_); error != RTC_ERROR_NONE)
+    rtcCommitScene(world_.get());
+    if (const RTCError error = rtcGetDeviceError(device_.get()); error != RTC_ERROR_NONE)
         throw Error(Failure::no_device,
                     text("Embree cannot build the scene (error ", static_cast<int>(error), ")"));
-}
-
-Visibility::~Visibility()
-{
-    for (RTCScene scene : mesh_scenes_)
-        if (scene)
-            rtcReleaseScene(scene);
-    if (world_)
-        rtcReleaseScene(world_);
-    rtcReleaseDevice(device_);
 }
 
 // A mesh shown once lies in the world itself; one shown several times is built once and referred to.
@@ -129,31 +107,31 @@ void Visibility::add_instance(std::uint32_t index, const std::vector<int>& uses)
     if (uses[static_cast<std::size_t>(instance.mesh)] > 1) {
         // The normal comes in the mesh's space.
         normals_.push_back(glm::transpose(glm::inverse(linear)));
-        geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
+        geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE);
         rtcSetGeometryInstancedScene(geometry, mesh_scene(instance.mesh));
         rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, &instance.transform[0][0]);
         rtcCommitGeometry(geometry);
     } else {
         // A mirroring transform turned the triangles' order round, but not what their front is. [glTF 2.0, 3.7.4]
         normals_.push_back(glm::mat3(side));
-        geometry = triangles(device_, mesh, instance.transform);
+        geometry = triangles(device_.get(), mesh, instance.transform);
     }
-    rtcAttachGeometryByID(world_, geometry, index);
+    rtcAttachGeometryByID(world_.get(), geometry, index);
     rtcReleaseGeometry(geometry);
 }
 
 RTCScene Visibility::mesh_scene(int mesh)
 {
-    RTCScene& scene = mesh_scenes_[static_cast<std::size_t>(mesh)];
+    EmbreeScene& scene = mesh_scenes_[static_cast<std::size_t>(mesh)];
     if (!scene) {
-        scene = rtcNewScene(device_);
+        scene.reset(rtcNewScene(device_.get()));
         const RTCGeometry geometry =
-            triangles(device_, scene_.meshes[static_cast<std::size_t>(mesh)], glm::mat4(1.0f));
-        rtcAttachGeometry(scene, geometry);
+            triangles(device_.get(), scene_.meshes[static_cast<std::size_t>(mesh)], glm::mat4(1.0f));
+        rtcAttachGeometry(scene.get(), geometry);
         rtcReleaseGeometry(geometry);
-        rtcCommitScene(scene);
+        rtcCommitScene(scene.get());
     }
-    return scene;
+    return scene.get();
 }
 
 void Visibility::trace(const Rays& rays, Hit* hits) const
@@ -162,7 +140,7 @@ void Visibility::trace(const Rays& rays, Hit* hits) const
     alignas(64) int valid[packet];
     for (std::size_t first = 0; first < rays.size(); first += packet) {
         load_packet(rays, first, rays16, valid);
-        intersect16(valid, world_, &rays16);
+        intersect16(valid, world_.get(), &rays16);
         const RTCRay16& ray = rays16.ray;
         const RTCHit16& hit = rays16.hit;
         for (std::size_t i = 0; i < std::min(packet, rays.size() - first); ++i) {

@@ -38,10 +38,12 @@ public:
     explicit Visibility(const scene::Scene& scene);
     Visibility(const Visibility&) = delete;
     Visibility& operator=(const Visibility&) = delete;
-    ~Visibility();
 
-    /// The nearest hit of each of the first rays.size() rays, into `hits`. Neighbours should be nearly parallel. A ray
-    /// from further away than 1e18 m meets nothing.
+    /// The farthest from the origin that a ray may start, along any axis, and the longest direction. Embree ends the
+    /// program over more.
+    static constexpr float furthest = 1.0e18f;
+
+    /// The nearest hit of each of the first rays.size() rays, into `hits`. Neighbours should be nearly parallel.
     void trace(const Rays& rays, Hit* hits) const;
 
 private:
@@ -49,10 +51,10 @@ private:
     RTCScene mesh_scene(int mesh);
 
     const scene::Scene& scene_;
-    RTCDevice device_ = nullptr;
-    RTCScene world_ = nullptr;
-    std::vector<RTCScene> mesh_scenes_; ///< one per mesh that several instances show; else null
-    std::vector<glm::mat3> normals_;    ///< per instance: world from Embree's normal, up to its length
+    EmbreeDevice device_; ///< outlives its scenes
+    EmbreeScene world_;
+    std::vector<EmbreeScene> mesh_scenes_; ///< one per mesh that several instances show; else null
+    std::vector<glm::mat3> normals_;       ///< per instance: world from Embree's normal, up to its length
 };
 
 } // namespace lambent::draw

@@ -1,0 +1,224 @@
+// The report's specular pass, in double: where it looks, how sharply, and what it makes of that, against docs/PHONG.md
+// written out with powers and logarithms.
+#include "tests/equations/directions.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace lambent::in_double {
+namespace {
+
+// One lookup of the environment.
+struct Lookup {
+    vec3 direction;
+    double level;
+};
+
+// An environment that is another colour everywhere and at every level, and remembers where it was looked at.
+struct Environment {
+    int samples;
+    double panorama_width, panorama_height, variance;
+    std::vector<Lookup>* lookups;
+};
+
+vec3 radiance(vec3 d, double level)
+{
+    return vec3(1.0 + d.x, 2.0 + d.y * d.z, 1.0 + 0.5 * level * level);
+}
+
+int sample_count(const Environment& e)
+{
+    return e.samples;
+}
+
+// xi2 in equal steps, but not in order.
+double xi2_of(const Environment& e, int i)
+{
+    return (i * 7 % e.samples + 0.5) / e.samples;
+}
+
+vec3 lobe_point(const Environment& e, int i)
+{
+    return vec3(std::log2(xi2_of(e, i)), std::cos(2.4 * i), std::sin(2.4 * i));
+}
+
+Real level_one_variance(const Environment& e)
+{
+    return e.variance;
+}
+
+Real report_base_level(const Environment& e)
+{
+    return 0.5 * std::log2(e.panorama_width * e.panorama_height);
+}
+
+vec3 environment_report_radiance(const Environment& e, vec3 d, Real level)
+{
+    e.lookups->push_back({d, level});
+    return radiance(d, level);
+}
+
+struct LightSum {
+    vec3 first, second;
+};
+
+LightSum no_light(const Environment&)
+{
+    return {vec3(0.0), vec3(0.0)};
+}
+
+LightSum with_light(const Environment& e, LightSum sum, vec3 d, Real level, vec2 weights)
+{
+    e.lookups->push_back({d, level});
+    return {sum.first + weights.x * radiance(d, level), sum.second + weights.y * radiance(d, level)};
+}
+
+vec3 first_light(const Environment&, LightSum sum)
+{
+    return sum.first;
+}
+vec3 second_light(const Environment&, LightSum sum)
+{
+    return sum.second;
+}
+
+#include "shading/specular_phong.glsl"
+
+} // namespace
+} // namespace lambent::in_double
+
+namespace lambent::test {
+namespace {
+
+using in_double::Environment;
+using in_double::Lookup;
+using in_double::Phong;
+using std::numbers::pi;
+
+struct Looked {
+    Environment environment;
+    Phong material;
+    vec3 N, V;
+    std::vector<Lookup> lookups;
+    vec3 result;
+};
+
+// A pass at five exponents, each from three views.
+template <class Pass>
+std::vector<Looked> look(Pass pass)
+{
+    std::vector<Looked> all;
+    for (double exponent : {1.0, 20.0, 625.0, 15625.0, 390625.0})
+        for (double angle : {0.0, 0.7, 1.3}) {
+            Looked l = {{16, 1024.0, 512.0, 1.5e-4, nullptr},
+                        {vec3(0.0), vec3(0.04, 0.5, 1.0), exponent},
+                        from_angles(1.0, 2.0),
+                        from_angles(1.0 + angle, 2.0),
+                        {},
+                        vec3(0.0)};
+            l.environment.lookups = &l.lookups;
+            l.result = pass(l.environment, l.material, l.N, l.V, vec3(0.0, 0.6, 0.8));
+            l.environment.lookups = nullptr;
+            all.push_back(l);
+        }
+    return all;
+}
+
+std::vector<Looked> look_as_report()
+{
+    return look([](auto... a) { return in_double::specular_phong_report(a...); });
+}
+
+std::vector<Looked> look_matched()
+{
+    return look([](auto... a) { return in_double::specular_phong(a...); });
+}
+
+vec3 halfway(vec3 a, vec3 b)
+{
+    const vec3 sum(a.x + b.x, a.y + b.y, a.z + b.z);
+    const double length = std::hypot(sum.x, sum.y, sum.z);
+    return {sum.x / length, sum.y / length, sum.z / length};
+}
+
+// 1/2 log2(W H / N) - 1/2 log2(D(H) / 4), and never below the sharpest.
+TEST(SpecularPhong, LevelsAreTheReports)
+{
+    int above = 0;
+    for (const Looked& l : look_as_report()) {
+        ASSERT_EQ(l.lookups.size(), 16u);
+        for (const Lookup& lookup : l.lookups) {
+            if (cosine_between(l.N, lookup.direction) <= 0.0)
+                continue; // counts nothing, and may have no halfway direction above the surface
+            const double NH = cosine_between(l.N, halfway(lookup.direction, l.V));
+            const double D = (l.material.exponent + 2.0) / (2.0 * pi) * std::pow(NH, l.material.exponent);
+            const double level = 0.5 * std::log2(1024.0 * 512.0 / 16.0) - 0.5 * std::log2(D / 4.0);
+            EXPECT_NEAR(lookup.level, std::max(level, 0.0), 1e-6) << l.material.exponent;
+            above += level > 0.0;
+        }
+    }
+    EXPECT_GT(above, 150);
+}
+
+// A sample stands for 1 / (N density); a level is the blend of two Gaussians of variances v1 4^(l - 1), level 0 of
+// v1 / 16; their share of a sample's solid angle is equations/footprint.glsl's 0.45.
+TEST(SpecularPhong, MatchedLevelsAreAsWideAsTheShareOfTheLobe)
+{
+    for (const Looked& l : look_matched()) {
+        ASSERT_EQ(l.lookups.size(), 16u);
+        const vec3 R = in_double::mirrored(l.N, l.V);
+        for (const Lookup& lookup : l.lookups) {
+            const double a = l.material.exponent, cosine = cosine_between(R, lookup.direction);
+            const double density = (a + 1.0) / (2.0 * pi) * std::pow(cosine, a);
+            const double below = std::floor(lookup.level), part = lookup.level - below;
+            const auto variance = [&](double level) {
+                return level < 1.0 ? 1.0 / 16.0 : std::pow(4.0, level - 1.0);
+            };
+            const double blend = 1.5e-4 * ((1.0 - part) * variance(below) + part * variance(below + 1.0));
+            if (lookup.level > 0.0)
+                EXPECT_NEAR(blend / (0.45 / (16.0 * density)), 1.0, 1e-6) << a;
+            else
+                EXPECT_LE(0.45 / (16.0 * density), 1.5e-4 / 16.0 * 1.000001) << a;
+        }
+    }
+}
+
+// About the mirrored view, at the cosine xi2^(1 / (alpha + 1)).
+TEST(SpecularPhong, DirectionsAreTheLobes)
+{
+    for (const auto& all : {look_as_report(), look_matched()})
+        for (const Looked& l : all) {
+            const double NV = cosine_between(l.N, l.V);
+            const vec3 R(2.0 * NV * l.N.x - l.V.x, 2.0 * NV * l.N.y - l.V.y, 2.0 * NV * l.N.z - l.V.z);
+            for (int i = 0; i < 16; i++) {
+                const double cosine =
+                    std::pow(in_double::xi2_of(l.environment, i), 1.0 / (l.material.exponent + 1.0));
+                EXPECT_NEAR(cosine_between(R, l.lookups[static_cast<size_t>(i)].direction), cosine, 1e-9);
+            }
+        }
+}
+
+// The average of F / (4 (w.H)^2) environment(w) max(N.w, 0).
+TEST(SpecularPhong, ResultIsTheReportsAverage)
+{
+    for (const auto& all : {look_as_report(), look_matched()})
+        for (const Looked& l : all) {
+            vec3 mean(0.0);
+            for (const Lookup& lookup : l.lookups) {
+                const double wH = cosine_between(lookup.direction, halfway(lookup.direction, l.V));
+                const double NL = std::max(cosine_between(l.N, lookup.direction), 0.0);
+                const double grazing = std::pow(1.0 - wH, 5.0);
+                const vec3 light = in_double::radiance(lookup.direction, lookup.level);
+                const auto term = [&](double Ks, double radiance) {
+                    return (Ks + (1.0 - Ks) * grazing) / (4.0 * wH * wH) * radiance * NL / 16.0;
+                };
+                mean = vec3(mean.x + term(0.04, light.x), mean.y + term(0.5, light.y),
+                            mean.z + term(1.0, light.z));
+            }
+            EXPECT_LT(distance(l.result, mean), 1e-9 * distance(mean, vec3(0.0))) << l.material.exponent;
+        }
+}
+
+} // namespace
+} // namespace lambent::test
