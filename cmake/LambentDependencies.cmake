@@ -16,7 +16,7 @@ pkg_check_modules(SPNG REQUIRED IMPORTED_TARGET spng)
 pkg_check_modules(TURBOJPEG REQUIRED IMPORTED_TARGET libturbojpeg)
 pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy)
 
-# Embree 3 (Debian 12, Ubuntu 22.04) or 4 (later); src/draw/cpu/embree.h hides the difference.
+# Embree 3 (Debian 12, Ubuntu 22.04) or 4 (later); src/trace/embree.h hides the difference.
 find_package(embree 4 QUIET)
 if(NOT embree_FOUND)
   find_package(embree 3 REQUIRED)

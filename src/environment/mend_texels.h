@@ -24,7 +24,13 @@ public:
     /// (a sun that was too bright for the file's format gets the brightness of its rim), and adds one warning.
     void mend(Panorama& panorama, const std::string& name, Warnings& warnings) const;
 
+    /// The same for RGB in floats.
+    void mend(image::RadianceImage& panorama, const std::string& name, Warnings& warnings) const;
+
 private:
+    template <class Texels>
+    void mend_texels(Texels& panorama, const std::string& name, Warnings& warnings) const;
+
     std::vector<std::size_t> texels_; ///< ascending; those with NaN, infinity or absurd values
     std::size_t negative_ = 0;        ///< texels that only had negative components: these stay at 0
 };

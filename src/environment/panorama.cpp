@@ -74,6 +74,15 @@ Panorama empty_panorama(int width, int height)
     return panorama;
 }
 
+void check_shape(int width, int height, const std::string& name, Warnings& warnings)
+{
+    if (width < 2)
+        throw Error(Failure::bad_input, text(name, ": ", width, "x", height, " is too small for a panorama"));
+    if (width != 2 * height)
+        warnings.push_back(text(name, ": ", width, "x", height,
+                                " is not twice as wide as high; it is stretched over the whole sphere"));
+}
+
 } // namespace
 
 double texel_solid_angle(const Panorama& panorama, int y)
@@ -85,11 +94,7 @@ double texel_solid_angle(const Panorama& panorama, int y)
 Panorama load_panorama(image::RadianceReader& reader, const std::string& name, Warnings& warnings)
 {
     const int width = reader.width(), height = reader.height();
-    if (width < 2)
-        throw Error(Failure::bad_input, text(name, ": ", width, "x", height, " is too small for a panorama"));
-    if (width != 2 * height)
-        warnings.push_back(text(name, ": ", width, "x", height,
-                                " is not twice as wide as high; it is stretched over the whole sphere"));
+    check_shape(width, height, name, warnings);
     Panorama panorama = empty_panorama(width, height);
     Packer packer(panorama);
     BrokenTexels broken;
@@ -109,6 +114,16 @@ Panorama load_panorama(image::RadianceReader& reader, const std::string& name, W
 Panorama load_panorama(const std::filesystem::path& path, Warnings& warnings)
 {
     return load_panorama(*image::open_radiance(path), path.string(), warnings);
+}
+
+image::RadianceImage load_unpacked_panorama(const std::filesystem::path& path, Warnings& warnings)
+{
+    image::RadianceImage panorama = image::read_radiance(path);
+    check_shape(panorama.width, panorama.height, path.string(), warnings);
+    BrokenTexels broken;
+    broken.blacken(panorama.values, 0);
+    broken.mend(panorama, path.string(), warnings);
+    return panorama;
 }
 
 Panorama make_panorama(const image::RadianceImage& image)

@@ -38,6 +38,9 @@ double texel_solid_angle(const Panorama& panorama, int y);
 Panorama load_panorama(const std::filesystem::path& path, Warnings& warnings);
 Panorama load_panorama(image::RadianceReader& reader, const std::string& name, Warnings& warnings);
 
+/// The same in floats, as it is in the file: for who wants no rounding. RGB.
+image::RadianceImage load_unpacked_panorama(const std::filesystem::path& path, Warnings& warnings);
+
 /// From light in memory, RGB or RGBA, all values finite and not negative.
 Panorama make_panorama(const image::RadianceImage& image);
 

@@ -1,5 +1,5 @@
 // What is seen where: cameras, sides, transforms, transparency, edges.
-#include "draw/cpu/visibility.h"
+#include "trace/visibility.h"
 #include "tests/draw/test_scenes.h"
 
 #include <gtest/gtest.h>
@@ -9,6 +9,8 @@
 
 namespace lambent::draw {
 namespace {
+
+using trace::Hit, trace::Rays, trace::Visibility;
 
 using testing::add;
 using testing::facing_square;

@@ -22,10 +22,13 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"shading", {}},
     {"image", {"base"}},
     {"scene", {"base", "image", "equations"}},
+    {"view", {"scene"}},
+    {"trace", {"base", "scene"}},
     {"environment", {"base", "image", "equations", "wide"}},
-    {"draw", {"base", "image", "scene", "environment", "equations", "shading", "wide"}},
+    {"draw", {"base", "image", "scene", "view", "trace", "environment", "equations", "shading", "wide"}},
+    {"reference", {"base", "image", "scene", "view", "trace", "environment", "equations", "shading"}},
     {"display", {"image", "equations", "wide"}},
-    {"apps", {"base", "image", "scene", "environment", "draw", "display"}},
+    {"apps", {"base", "image", "scene", "view", "environment", "draw", "reference", "display"}},
 };
 
 std::string folder_of(const fs::path& path)

@@ -24,6 +24,7 @@ struct Words {
     std::string model, mip_level, alpha, kd, ks, density;
     std::string exposure, contrast, tone, space;
     std::string backend, threads, stats, sun, turbidity;
+    std::string bounces, spp, noise, time, seed;
     std::vector<std::string> lights;
     bool quiet = false, verbose = false, no_cache = false, no_compensation = false;
 };
@@ -110,8 +111,6 @@ void add_view(CLI::App& app, RenderArguments& arguments, Words& words)
     option(app, "--camera-node", arguments.camera_node, "NAME", "A camera of the glTF");
     option(app, "--fov", words.fov, "DEG", "Vertical field of view (45)");
     option(app, "--aa", words.aa, "N", "Samples per pixel where surfaces end (4)");
-    option(app, "--layers", arguments.layers, "DIR",
-           "Also write each layer of the G-buffer and of the light");
 }
 
 void add_light(CLI::App& app, RenderArguments& arguments, Words& words)
@@ -264,6 +263,22 @@ RenderArguments finished(const Words& words, RenderArguments arguments)
     return arguments;
 }
 
+ReferenceArguments finished(const Words& words, ReferenceArguments arguments)
+{
+    arguments.picture = finished(words, arguments.picture);
+    if (!words.bounces.empty())
+        arguments.bounces = whole_in(words.bounces, "--bounces", 0, 1024);
+    if (!words.spp.empty())
+        arguments.samples = whole_in(words.spp, "--spp", 1, 1 << 20);
+    if (!words.noise.empty())
+        arguments.noise = static_cast<double>(number_in(words.noise, "--noise", 1e-6, 1.0));
+    if (!words.time.empty())
+        arguments.seconds = static_cast<double>(positive(words.time, "--time"));
+    if (!words.seed.empty())
+        arguments.seed = static_cast<std::uint32_t>(whole_in(words.seed, "--seed", 0, 1 << 30));
+    return arguments;
+}
+
 EnvArguments finished(const Words& words, EnvArguments arguments)
 {
     arguments.common = common_options(words);
@@ -294,9 +309,11 @@ struct Grammar {
         "lambent"};
     Words words;
     RenderArguments render;
+    ReferenceArguments reference;
     EnvArguments env;
     InfoArguments info;
     CLI::App* render_command = nullptr;
+    CLI::App* reference_command = nullptr;
     CLI::App* env_command = nullptr;
     CLI::App* info_command = nullptr;
 
@@ -307,6 +324,7 @@ struct Grammar {
         app.footer("SCENE: a .gltf or .glb file, or sphere, teapot, plane, report, grid, furnace.\n"
                    "'lambent COMMAND --help' lists a command's options.");
         add_render();
+        add_reference();
         add_env();
         add_info();
     }
@@ -314,16 +332,41 @@ struct Grammar {
     void add_render()
     {
         render_command = app.add_subcommand("render", "Draw a picture of a scene");
-        CLI::App& command = *render_command;
-        command.add_option("scene", render.scene, "A .gltf or .glb, or a built-in scene")
+        add_picture(*render_command, render);
+        option(*render_command, "--layers", render.layers, "DIR",
+               "Also write each layer of the G-buffer and of the light");
+    }
+
+    void add_reference()
+    {
+        reference_command = app.add_subcommand("reference", "The same picture, path-traced");
+        CLI::App& command = *reference_command;
+        add_picture(command, reference.picture);
+        option(command, "--bounces", words.bounces, "N",
+               "Bounces of light; 0: direct light without shadows, 1: with shadows (8)");
+        option(command, "--spp", words.spp, "N", "Stop at N samples per pixel");
+        option(command, "--noise", words.noise, "REL",
+               "Stop at this estimated relative error (0.01, if no limit is given)");
+        option(command, "--time", words.time, "S", "Stop after S seconds");
+        option(command, "--seed", words.seed, "N", "Another number, other noise (0)");
+        option(command, "--variance", reference.variance, "FILE",
+               "Also write the variance of each value: .exr or .hdr");
+        command.add_flag("--uniform", reference.uniform,
+                         "As many samples for every pixel; so with --spp alone");
+    }
+
+    // What every command that makes a picture of a scene understands.
+    void add_picture(CLI::App& command, RenderArguments& picture)
+    {
+        command.add_option("scene", picture.scene, "A .gltf or .glb, or a built-in scene")
             ->type_name("SCENE")
             ->required();
-        add_output(command, render.output,
+        add_output(command, picture.output,
                    "The picture: .png .jpg (as displayed), .exr .hdr (linear radiance)");
-        add_light(command, render, words);
-        add_view(command, render, words);
+        add_light(command, picture, words);
+        add_view(command, picture, words);
         add_material(command, words);
-        add_display(command, render, words);
+        add_display(command, picture, words);
         option(command, "--backend", words.backend, "NAME", "auto or cpu (auto)");
         add_common(command, words);
     }
@@ -356,6 +399,8 @@ struct Grammar {
     {
         if (render_command->parsed())
             return finished(words, render);
+        if (reference_command->parsed())
+            return finished(words, reference);
         if (env_command->parsed())
             return finished(words, env);
         info.common = common_options(words);

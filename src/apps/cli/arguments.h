@@ -6,6 +6,7 @@
 #include "environment/builtin.h"
 #include "scene/builtin.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
@@ -28,11 +29,23 @@ struct RenderArguments {
     std::string output;
     std::string layers; ///< folder; empty: none
     draw::Settings settings;
-    std::optional<draw::Orbit> orbit; ///< unset: the default view, or camera_node
+    std::optional<view::Orbit> orbit; ///< unset: the default view, or camera_node
     std::string camera_node;
     float vertical_fov = 0.7853982f;
     display::Settings display;
     scene::BuiltinOptions builtin;
+};
+
+/// The picture of RenderArguments, path-traced. What says how to approximate changes nothing here.
+struct ReferenceArguments {
+    RenderArguments picture;
+    int bounces = 8;
+    std::optional<int> samples;    ///< per pixel; unset: no limit
+    std::optional<double> noise;   ///< estimated relative RMSE
+    std::optional<double> seconds; ///< none of the three: noise 0.01
+    bool uniform = false;          ///< as many samples for every pixel
+    std::uint32_t seed = 0;
+    std::string variance; ///< file; empty: none
 };
 
 struct EnvArguments {
@@ -53,7 +66,7 @@ struct PrintText {
     std::string text;
 };
 
-using Arguments = std::variant<PrintText, RenderArguments, EnvArguments, InfoArguments>;
+using Arguments = std::variant<PrintText, RenderArguments, ReferenceArguments, EnvArguments, InfoArguments>;
 
 /// Throws Error(usage) with one line for whatever is wrong.
 Arguments parse_arguments(int count, const char* const* words);

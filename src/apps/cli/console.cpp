@@ -35,7 +35,7 @@ void Console::remark(const std::string& line) const
         std::fprintf(stderr, "lambent: %s\n", one_line(line).c_str());
 }
 
-void Console::progress(float done)
+void Console::progress(float done, const std::string& note)
 {
     const Clock::time_point now = Clock::now();
     if (!terminal_ || verbosity_ == Verbosity::quiet || seconds(now - start_) < first_shown_seconds ||
@@ -47,7 +47,8 @@ void Console::progress(float done)
     for (int i = 0; i < bar_width; ++i)
         bar[i] = static_cast<float>(i) < done * bar_width ? '#' : '.';
     const double left = seconds(now - start_) * (1.0 / static_cast<double>(done) - 1.0);
-    std::fprintf(stderr, "\r[%s] %3.0f%%, %.0f s left ", bar, static_cast<double>(done) * 100.0, left);
+    std::fprintf(stderr, "\r[%s] %3.0f%%, %.0f s left%s%s \033[K", bar, static_cast<double>(done) * 100.0,
+                 left, note.empty() ? "" : ", ", note.c_str());
     std::fflush(stderr);
 }
 

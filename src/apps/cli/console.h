@@ -19,8 +19,9 @@ public:
     /// A remark, only if verbose.
     void remark(const std::string& line) const;
 
-    /// A bar with the time left, if work has taken over a second and standard error is a terminal; not if quiet.
-    void progress(float done);
+    /// A bar with the time left, and a note if any, if work has taken over a second and standard error is a terminal;
+    /// not if quiet.
+    void progress(float done, const std::string& note = {});
 
     /// Takes the bar away.
     void end_progress();

@@ -2,14 +2,13 @@
 #include "apps/cli/console.h"
 #include "apps/cli/layer_files.h"
 #include "apps/cli/picture_file.h"
+#include "apps/cli/picture_setup.h"
 #include "apps/cli/stats.h"
 #include "apps/cli/stopwatch.h"
 #include "apps/cli/threads.h"
-#include "apps/cli/values.h"
 #include "base/text.h"
 #include "draw/cpu/cpu_renderer.h"
 #include "environment/environment.h"
-#include "scene/gltf.h"
 
 #include <nlohmann/json.hpp>
 
@@ -18,13 +17,6 @@
 namespace lambent::cli {
 namespace {
 
-scene::Scene load_scene(const RenderArguments& arguments, Warnings& warnings)
-{
-    if (scene::is_builtin(arguments.scene))
-        return scene::make_builtin(arguments.scene, arguments.builtin);
-    return scene::load_gltf(arguments.scene, warnings);
-}
-
 std::optional<environment::Environment> load_environment(const std::string& name, Warnings& warnings)
 {
     if (name == "none")
@@ -32,31 +24,6 @@ std::optional<environment::Environment> load_environment(const std::string& name
     if (environment::is_builtin(name))
         return environment::make_environment(environment::make_panorama(environment::make_builtin(name)));
     return environment::make_environment(environment::load_panorama(name, warnings));
-}
-
-// Charts are looked at from the front; everything else three quarters from the front, a little from above.
-draw::Orbit default_orbit(const std::string& scene)
-{
-    if (scene == "grid" || scene == "furnace")
-        return {};
-    if (scene == "report")
-        return {0.0f, radians(20.0), 0.0f};
-    return {radians(30.0), radians(20.0), 0.0f};
-}
-
-draw::Camera choose_camera(const RenderArguments& arguments, const scene::Scene& scene)
-{
-    if (!arguments.camera_node.empty()) {
-        for (const scene::Camera& camera : scene.cameras)
-            if (camera.name == arguments.camera_node)
-                return draw::from_scene(camera);
-        throw Error(Failure::usage, text("--camera-node: ", arguments.scene, " has no camera '",
-                                         arguments.camera_node, "' (it has ", scene.cameras.size(), ")"));
-    }
-    const float aspect =
-        static_cast<float>(arguments.settings.width) / static_cast<float>(arguments.settings.height);
-    return draw::orbit_camera(scene::bounds(scene), arguments.orbit.value_or(default_orbit(arguments.scene)),
-                              arguments.vertical_fov, aspect);
 }
 
 nlohmann::ordered_json describe(const RenderArguments& arguments, const scene::Scene& scene,

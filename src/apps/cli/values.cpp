@@ -96,7 +96,7 @@ glm::vec3 parse_color(const std::string& word, const std::string& option)
     return color;
 }
 
-draw::Orbit parse_orbit(const std::string& word, const std::string& option)
+view::Orbit parse_orbit(const std::string& word, const std::string& option)
 {
     const std::vector<double> numbers = parse_list(word, {2, 3}, option);
     if (std::fabs(numbers[1]) > 90.0)

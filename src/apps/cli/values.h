@@ -31,7 +31,7 @@ std::vector<double> parse_list(const std::string& word, Count count, const std::
 glm::vec3 parse_color(const std::string& word, const std::string& option);
 
 /// "AZIMUTH,ELEVATION" or "AZIMUTH,ELEVATION,DISTANCE", degrees and metres. Throws Error(usage).
-draw::Orbit parse_orbit(const std::string& word, const std::string& option);
+view::Orbit parse_orbit(const std::string& word, const std::string& option);
 
 /// "env", "none", "R,G,B" or "blur:ROUGHNESS". Throws Error(usage).
 draw::Background parse_background(const std::string& word, const std::string& option);

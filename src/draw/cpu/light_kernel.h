@@ -1,10 +1,9 @@
 // Light on surfaces, on SIMD lanes: the passes of src/shading over the fragments of a tile.
 #pragma once
 
-#include "draw/camera.h"
+#include "draw/settings.h"
 #include "draw/cpu/fragments.h"
 #include "draw/sample_tables.h"
-#include "draw/settings.h"
 #include "environment/environment.h"
 
 #include <glm/vec3.hpp>

@@ -4,13 +4,15 @@
 #include "draw/cpu/light_kernel.h"
 #include "draw/cpu/packed_texture.h"
 #include "draw/cpu/surface_kernel.h"
-#include "draw/cpu/visibility.h"
+#include "trace/visibility.h"
 #include "scene/scene.h"
 
 #include <span>
 #include <vector>
 
 namespace lambent::draw {
+
+using trace::Visibility;
 
 class PreparedScene {
 public:

@@ -1,13 +1,15 @@
 // Rays of sight through places in the picture, and what they see: backs of one-sided surfaces are looked through.
 #pragma once
 
-#include "draw/camera.h"
+#include "draw/settings.h"
 #include "draw/cpu/prepared_scene.h"
 
 #include <cstddef>
 #include <vector>
 
 namespace lambent::draw {
+
+using trace::Hit, trace::Rays;
 
 /// One look into the scene.
 struct Look {

@@ -1,10 +1,9 @@
 // From hits to surfaces: position, normal, material, by interpolation and textures, on SIMD lanes.
 #pragma once
 
-#include "draw/camera.h"
+#include "draw/settings.h"
 #include "draw/cpu/fragments.h"
 #include "draw/cpu/packed_texture.h"
-#include "draw/settings.h"
 #include "scene/scene.h"
 
 #include <glm/mat3x3.hpp>

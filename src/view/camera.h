@@ -5,7 +5,7 @@
 
 #include <glm/vec3.hpp>
 
-namespace lambent::draw {
+namespace lambent::view {
 
 /// A pose and a projection. right, up and back are orthonormal; the camera looks along -back.
 struct Camera {
@@ -39,4 +39,4 @@ struct RayMap {
 };
 RayMap ray_map(const Camera& camera, int width, int height);
 
-} // namespace lambent::draw
+} // namespace lambent::view

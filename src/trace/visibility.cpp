@@ -1,4 +1,4 @@
-#include "draw/cpu/visibility.h"
+#include "trace/visibility.h"
 
 #include "base/error.h"
 #include "base/text.h"
@@ -11,7 +11,7 @@
 #include <cstring>
 #include <limits>
 
-namespace lambent::draw {
+namespace lambent::trace {
 namespace {
 
 constexpr std::size_t packet = 16;
@@ -143,22 +143,55 @@ void Visibility::trace(const Rays& rays, Hit* hits) const
         intersect16(valid, world_.get(), &rays16);
         const RTCRay16& ray = rays16.ray;
         const RTCHit16& hit = rays16.hit;
-        for (std::size_t i = 0; i < std::min(packet, rays.size() - first); ++i) {
-            Hit& out = hits[first + i];
-            out = {};
-            if (hit.geomID[i] == RTC_INVALID_GEOMETRY_ID)
-                continue;
-            const bool instanced = hit.instID[0][i] != RTC_INVALID_GEOMETRY_ID;
-            out.instance = instanced ? hit.instID[0][i] : hit.geomID[i];
-            out.distance = ray.tfar[i];
-            out.u = hit.u[i];
-            out.v = hit.v[i];
-            out.triangle = hit.primID[i];
-            out.normal = unit(normals_[out.instance] * glm::vec3(hit.Ng_x[i], hit.Ng_y[i], hit.Ng_z[i]));
-            const glm::vec3 direction(ray.dir_x[i], ray.dir_y[i], ray.dir_z[i]);
-            out.front = glm::dot(out.normal, direction) < 0.0f;
-        }
+        for (std::size_t i = 0; i < std::min(packet, rays.size() - first); ++i)
+            hits[first + i] = hit_of({hit.geomID[i],
+                                      hit.instID[0][i],
+                                      hit.primID[i],
+                                      ray.tfar[i],
+                                      hit.u[i],
+                                      hit.v[i],
+                                      {hit.Ng_x[i], hit.Ng_y[i], hit.Ng_z[i]},
+                                      {ray.dir_x[i], ray.dir_y[i], ray.dir_z[i]}});
     }
 }
 
-} // namespace lambent::draw
+Hit Visibility::nearest(const Ray& ray) const
+{
+    for (int axis = 0; axis < 3; ++axis) // not a number is not within, either
+        if (!(std::fabs(ray.origin[axis]) <= furthest && std::fabs(ray.direction[axis]) <= furthest))
+            return {};
+    alignas(16) RTCRayHit one{};
+    one.ray.org_x = ray.origin.x, one.ray.org_y = ray.origin.y, one.ray.org_z = ray.origin.z;
+    one.ray.dir_x = ray.direction.x, one.ray.dir_y = ray.direction.y, one.ray.dir_z = ray.direction.z;
+    one.ray.tnear = ray.near;
+    one.ray.tfar = ray.far;
+    one.ray.mask = ~0u;
+    one.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    one.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    intersect1(world_.get(), &one);
+    return hit_of({one.hit.geomID,
+                   one.hit.instID[0],
+                   one.hit.primID,
+                   one.ray.tfar,
+                   one.hit.u,
+                   one.hit.v,
+                   {one.hit.Ng_x, one.hit.Ng_y, one.hit.Ng_z},
+                   ray.direction});
+}
+
+Hit Visibility::hit_of(const Found& found) const
+{
+    Hit hit;
+    if (found.geometry == RTC_INVALID_GEOMETRY_ID)
+        return hit;
+    hit.instance = found.instance != RTC_INVALID_GEOMETRY_ID ? found.instance : found.geometry;
+    hit.distance = found.distance;
+    hit.u = found.u;
+    hit.v = found.v;
+    hit.triangle = found.triangle;
+    hit.normal = unit(normals_[hit.instance] * found.normal);
+    hit.front = glm::dot(hit.normal, found.direction) < 0.0f;
+    return hit;
+}
+
+} // namespace lambent::trace

@@ -1,11 +1,11 @@
-// Embree 3 or 4, whichever is installed: the two calls that differ, and who releases what.
+// Embree 3 or 4, whichever is installed: the calls that differ, and who releases what.
 #pragma once
 
 #include <memory>
 
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
-namespace lambent::draw {
+namespace lambent::trace {
 inline void intersect16(const int* valid, RTCScene scene, RTCRayHit16* rays)
 {
     RTCIntersectArguments arguments;
@@ -13,10 +13,14 @@ inline void intersect16(const int* valid, RTCScene scene, RTCRayHit16* rays)
     arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
     rtcIntersect16(valid, scene, rays, &arguments);
 }
-} // namespace lambent::draw
+inline void intersect1(RTCScene scene, RTCRayHit* ray)
+{
+    rtcIntersect1(scene, ray);
+}
+} // namespace lambent::trace
 #else
 #include <embree3/rtcore.h>
-namespace lambent::draw {
+namespace lambent::trace {
 inline void intersect16(const int* valid, RTCScene scene, RTCRayHit16* rays)
 {
     RTCIntersectContext context;
@@ -24,10 +28,16 @@ inline void intersect16(const int* valid, RTCScene scene, RTCRayHit16* rays)
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     rtcIntersect16(valid, scene, &context, rays);
 }
-} // namespace lambent::draw
+inline void intersect1(RTCScene scene, RTCRayHit* ray)
+{
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(scene, &context, ray);
+}
+} // namespace lambent::trace
 #endif
 
-namespace lambent::draw {
+namespace lambent::trace {
 
 struct EmbreeRelease {
     void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
@@ -36,4 +46,4 @@ struct EmbreeRelease {
 using EmbreeDevice = std::unique_ptr<RTCDeviceTy, EmbreeRelease>;
 using EmbreeScene = std::unique_ptr<RTCSceneTy, EmbreeRelease>;
 
-} // namespace lambent::draw
+} // namespace lambent::trace

@@ -1,10 +1,10 @@
-#include "draw/camera.h"
+#include "view/camera.h"
 
 #include <glm/geometric.hpp>
 
 #include <cmath>
 
-namespace lambent::draw {
+namespace lambent::view {
 namespace {
 
 // A little air around the scene.
@@ -79,4 +79,4 @@ RayMap ray_map(const Camera& camera, int width, int height)
     return map;
 }
 
-} // namespace lambent::draw
+} // namespace lambent::view

@@ -1,14 +1,15 @@
-// What each ray of sight meets first, by Embree.
+// What rays meet first, by Embree.
 #pragma once
 
-#include "draw/cpu/embree.h"
+#include "trace/embree.h"
 #include "scene/scene.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
-namespace lambent::draw {
+namespace lambent::trace {
 
 /// Rays, sixteen at a time, one array per component. A ray starts at `near`, in multiples of its direction.
 struct Rays {
@@ -17,6 +18,12 @@ struct Rays {
     std::size_t size() const { return near.size(); }
 
     std::vector<float> origin[3], direction[3], near;
+};
+
+/// One ray, from `near` to `far` in multiples of its direction.
+struct Ray {
+    glm::vec3 origin{0.0f}, direction{0.0f};
+    float near = 0.0f, far = std::numeric_limits<float>::infinity();
 };
 
 /// Where a ray ends. The point is origin + distance * direction; u and v weigh corners 1 and 2 of the triangle.
@@ -46,7 +53,17 @@ public:
     /// The nearest hit of each of the first rays.size() rays, into `hits`. Neighbours should be nearly parallel.
     void trace(const Rays& rays, Hit* hits) const;
 
+    /// The nearest hit of one ray, for rays that have no neighbours; none from beyond `furthest`.
+    Hit nearest(const Ray& ray) const;
+
 private:
+    /// The hit of Embree's numbers: geometry, instance (either may be invalid) and the normal as Embree gives it.
+    struct Found {
+        unsigned geometry, instance, triangle;
+        float distance, u, v;
+        glm::vec3 normal, direction;
+    };
+    Hit hit_of(const Found& found) const;
     void add_instance(std::uint32_t index, const std::vector<int>& uses);
     RTCScene mesh_scene(int mesh);
 
@@ -57,4 +74,4 @@ private:
     std::vector<glm::mat3> normals_;       ///< per instance: world from Embree's normal, up to its length
 };
 
-} // namespace lambent::draw
+} // namespace lambent::trace

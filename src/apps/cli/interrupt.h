@@ -1,0 +1,17 @@
+// Ctrl-C as a wish to stop early.
+#pragma once
+
+namespace lambent::cli {
+
+/// While it exists, the first SIGINT or SIGTERM only sets a flag; a second one ends the program as usual.
+class Interrupt {
+public:
+    Interrupt();
+    ~Interrupt();
+    Interrupt(const Interrupt&) = delete;
+    Interrupt& operator=(const Interrupt&) = delete;
+
+    bool asked() const;
+};
+
+} // namespace lambent::cli

@@ -1,0 +1,16 @@
+// What the commands that make pictures have in common: the scene and the camera asked for.
+#pragma once
+
+#include "apps/cli/arguments.h"
+#include "base/error.h"
+#include "scene/scene.h"
+
+namespace lambent::cli {
+
+/// The built-in scene or the file. Throws as scene::load_gltf.
+scene::Scene load_scene(const RenderArguments& arguments, Warnings& warnings);
+
+/// The camera node, orbit or default view asked for. Throws Error(usage) for a camera node that is not there.
+view::Camera choose_camera(const RenderArguments& arguments, const scene::Scene& scene);
+
+} // namespace lambent::cli

@@ -1,0 +1,138 @@
+#include "apps/cli/commands.h"
+#include "apps/cli/console.h"
+#include "apps/cli/interrupt.h"
+#include "apps/cli/picture_file.h"
+#include "apps/cli/picture_setup.h"
+#include "apps/cli/stats.h"
+#include "apps/cli/stopwatch.h"
+#include "apps/cli/threads.h"
+#include "base/file.h"
+#include "base/text.h"
+#include "environment/panorama.h"
+#include "image/image_io.h"
+#include "reference/tracer.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+namespace lambent::cli {
+namespace {
+
+constexpr double usual_noise = 0.01;
+
+std::optional<image::RadianceImage> load_raw_environment(const std::string& name, Warnings& warnings)
+{
+    if (name == "none")
+        return std::nullopt;
+    if (environment::is_builtin(name))
+        return environment::make_builtin(name);
+    return environment::load_unpacked_panorama(name, warnings);
+}
+
+reference::Settings settings_of(const ReferenceArguments& arguments, const scene::Scene& scene)
+{
+    reference::Settings settings;
+    static_cast<view::Picture&>(settings) = arguments.picture.settings;
+    settings.camera = choose_camera(arguments.picture, scene);
+    settings.bounces = arguments.bounces;
+    settings.seed = arguments.seed;
+    if (arguments.samples)
+        settings.samples = *arguments.samples;
+    if (arguments.seconds)
+        settings.seconds = *arguments.seconds;
+    const bool no_limit = !arguments.samples && !arguments.noise && !arguments.seconds;
+    settings.noise = arguments.noise.value_or(no_limit ? usual_noise : 0.0);
+    // A number of samples alone is what people ask for who want to know exactly what they get.
+    settings.adaptive = !arguments.uniform && (settings.noise > 0.0 || arguments.seconds);
+    return settings;
+}
+
+std::string note_of(const reference::Progress& progress)
+{
+    char note[80];
+    std::snprintf(note, sizeof note, "%.0f samples, noise %.2f%%", progress.samples, 100.0 * progress.noise);
+    return progress.samples > 0.0 ? note : "";
+}
+
+void check_variance_file(const std::string& path)
+{
+    if (path.empty())
+        return;
+    const image::FileKind kind = image::file_kind(path);
+    if (kind != image::FileKind::exr && kind != image::FileKind::hdr)
+        throw Error(Failure::usage, text("--variance: ", path, ": its name ends in .exr or .hdr"));
+    check_can_write(path);
+}
+
+nlohmann::ordered_json describe(const ReferenceArguments& arguments, const scene::Scene& scene,
+                                const reference::Result& result)
+{
+    return {{"command", "reference"},
+            {"scene", arguments.picture.scene},
+            {"environment", arguments.picture.environment},
+            {"output", arguments.picture.output},
+            {"backend", "cpu"},
+            {"width", result.radiance.width},
+            {"height", result.radiance.height},
+            {"bounces", arguments.bounces},
+            {"samples", result.samples},
+            {"error", result.noise},
+            {"triangles", scene::triangle_count(scene)}};
+}
+
+Warnings warnings_of(const reference::Result& result)
+{
+    Warnings warnings;
+    if (result.stopped)
+        warnings.push_back(text("stopped early, at ", result.samples, " samples per pixel and ",
+                                std::round(1e4 * result.noise) / 100.0, "% of noise"));
+    if (result.broken > 0)
+        warnings.push_back(text(result.broken, " samples are not finite and count as black"));
+    return warnings;
+}
+
+} // namespace
+
+void run(const ReferenceArguments& arguments)
+{
+    const RenderArguments& picture = arguments.picture;
+    check_picture_file(picture.output);
+    check_variance_file(arguments.variance);
+    const ThreadLimit limit(picture.common.threads);
+    Console console(picture.common.verbosity);
+    Stopwatch watch;
+    Warnings warnings;
+    const scene::Scene scene = load_scene(picture, warnings);
+    watch.lap("scene");
+    const std::optional<image::RadianceImage> environment =
+        load_raw_environment(picture.environment, warnings);
+    watch.lap("environment");
+    console.warn(warnings);
+
+    const reference::Settings settings = settings_of(arguments, scene);
+    const Interrupt interrupt;
+    const reference::Result result = reference::trace(
+        scene, environment ? &*environment : nullptr, settings, [&](const reference::Progress& progress) {
+            console.progress(static_cast<float>(progress.done), note_of(progress));
+            return !interrupt.asked();
+        });
+    console.end_progress();
+    console.warn(warnings_of(result));
+    watch.lap("trace");
+    if (!arguments.variance.empty())
+        image::write_radiance(result.variance, arguments.variance);
+    const bool transparent = settings.background.kind == view::Background::Kind::none;
+    write_picture(result.radiance, picture.display, transparent, picture.output);
+    watch.lap("write");
+    console.remark(text("wrote ", picture.output));
+    if (picture.common.stats_json) {
+        nlohmann::ordered_json stats = describe(arguments, scene, result);
+        add_cost(watch, stats);
+        print(stats);
+    }
+}
+
+} // namespace lambent::cli

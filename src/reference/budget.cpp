@@ -1,0 +1,39 @@
+#include "reference/budget.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lambent::reference {
+
+std::vector<int> share_samples(std::span<const TileState> tiles, double total, int step)
+{
+    std::vector<double> deviation, least;
+    double largest = 0.0;
+    for (const TileState& tile : tiles) {
+        deviation.push_back(std::sqrt(tile.variance * tile.samples));
+        least.push_back(
+            std::max(static_cast<double>(tile.samples), 0.25 * total / static_cast<double>(tiles.size())));
+        largest = std::max(largest, deviation.back());
+    }
+    const auto wanted = [&](std::size_t i, double scale) { return std::max(least[i], scale * deviation[i]); };
+    const auto sum = [&](double scale) {
+        double all = 0.0;
+        for (std::size_t i = 0; i < tiles.size(); ++i)
+            all += wanted(i, scale);
+        return all;
+    };
+    // The sum grows with the scale: halve the interval that holds it.
+    double low = 0.0, high = largest > 0.0 ? 2.0 * total / largest : 0.0;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (low + high);
+        (sum(middle) < total ? low : high) = middle;
+    }
+    std::vector<int> samples;
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        const int more = std::max(static_cast<int>(std::lround(wanted(i, low))) - tiles[i].samples, 0);
+        samples.push_back(tiles[i].samples + (more + step / 2) / step * step);
+    }
+    return samples;
+}
+
+} // namespace lambent::reference

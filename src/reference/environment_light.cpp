@@ -1,0 +1,181 @@
+#include "reference/environment_light.h"
+
+#include "equations/in_double.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace lambent::reference {
+namespace {
+
+using std::numbers::pi;
+
+// More cells than this do not fit a processor's caches.
+constexpr int most_columns = 2048, most_rows = 1024;
+
+double luminance(const float* rgb)
+{
+    return 0.2126 * static_cast<double>(rgb[0]) + 0.7152 * static_cast<double>(rgb[1]) +
+           0.0722 * static_cast<double>(rgb[2]);
+}
+
+// The first of `count` ascending ends that is above u.
+int chosen(const double* ends, int count, double u)
+{
+    return static_cast<int>(std::upper_bound(ends, ends + count - 1, u) - ends);
+}
+
+// What is between the end before the chosen one and it.
+struct Span {
+    double before, end;
+
+    Span(const double* ends, int count, int index)
+        : before(index > 0 ? ends[index - 1] : 0.0), end(index + 1 < count ? ends[index] : 1.0)
+    {
+    }
+    double size() const { return end - before; }
+    double place(double u) const { return std::clamp((u - before) / std::max(size(), 1e-300), 0.0, 1.0); }
+};
+
+// Cosine of the polar angle at the top of row y of `rows`.
+double edge_cosine(int y, int rows)
+{
+    return std::cos(pi * y / rows);
+}
+
+} // namespace
+
+EnvironmentLight::EnvironmentLight(const image::RadianceImage& panorama, double rotation)
+    : panorama_(panorama), cosine_(std::cos(rotation)), sine_(std::sin(rotation))
+{
+    fill_cells();
+}
+
+// Mean of the bilinear picture over texel (x, y): of each neighbour 1/8, 3/4 and 1/8 along each axis.
+double EnvironmentLight::smoothed_luminance(int x, int y) const
+{
+    const int width = panorama_.width, height = panorama_.height;
+    double sum = 0.0;
+    for (int j = -1; j <= 1; ++j)
+        for (int i = -1; i <= 1; ++i) {
+            const int column = (x + i + width) % width, row = std::clamp(y + j, 0, height - 1);
+            sum +=
+                (i == 0 ? 0.75 : 0.125) * (j == 0 ? 0.75 : 0.125) * luminance(panorama_.pixel(column, row));
+        }
+    return sum;
+}
+
+// Mean over all texels that a cell touches, so that no light is in a cell that is never drawn.
+double EnvironmentLight::cell_light(int column, int row) const
+{
+    const auto begin = [](int cell, int texels, int cells) {
+        return static_cast<int>(std::int64_t{cell} * texels / cells);
+    };
+    const auto end = [](int cell, int texels, int cells) {
+        return static_cast<int>((std::int64_t{cell + 1} * texels + cells - 1) / cells);
+    };
+    const int y0 = begin(row, panorama_.height, rows_), y1 = end(row, panorama_.height, rows_);
+    const int x0 = begin(column, panorama_.width, columns_), x1 = end(column, panorama_.width, columns_);
+    double light = 0.0;
+    for (int y = y0; y < y1; ++y)
+        for (int x = x0; x < x1; ++x)
+            light += smoothed_luminance(x, y);
+    return light / (static_cast<double>(y1 - y0) * (x1 - x0));
+}
+
+void EnvironmentLight::fill_cells()
+{
+    columns_ = std::min(panorama_.width, most_columns);
+    rows_ = std::min(panorama_.height, most_rows);
+    column_ends_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+    row_ends_.resize(static_cast<std::size_t>(rows_));
+    cell_angle_.resize(static_cast<std::size_t>(rows_));
+    tbb::parallel_for(0, rows_, [&](int row) {
+        double* const ends =
+            column_ends_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
+        const double angle = 2.0 * pi / columns_ * (edge_cosine(row, rows_) - edge_cosine(row + 1, rows_));
+        double sum = 0.0;
+        for (int column = 0; column < columns_; ++column)
+            ends[column] = sum += cell_light(column, row);
+        for (int column = 0; column < columns_; ++column)
+            ends[column] /= sum > 0.0 ? sum : 1.0;
+        cell_angle_[static_cast<std::size_t>(row)] = angle;
+        row_ends_[static_cast<std::size_t>(row)] = sum * angle;
+    });
+    double total = 0.0;
+    for (double& end : row_ends_)
+        end = total += end;
+    for (double& end : row_ends_)
+        end /= total > 0.0 ? total : 1.0;
+    dark_ = !(total > 0.0);
+}
+
+glm::dvec2 EnvironmentLight::panorama_place(const glm::dvec3& d) const
+{
+    const in_double::vec2 uv = in_double::equirectangular_from_direction(
+        {cosine_ * d.x - sine_ * d.z, d.y, sine_ * d.x + cosine_ * d.z});
+    return {uv.x, uv.y};
+}
+
+glm::dvec3 EnvironmentLight::radiance(const glm::dvec3& direction) const
+{
+    const glm::dvec2 uv = panorama_place(direction);
+    const int width = panorama_.width, height = panorama_.height;
+    const double x = uv.x * width - 0.5, y = uv.y * height - 0.5;
+    const double left = std::floor(x), top = std::floor(y);
+    const double right = x - left, below = y - top;
+    const int x0 = (static_cast<int>(left) + width) % width, x1 = (x0 + 1) % width;
+    const int y0 = std::clamp(static_cast<int>(top), 0, height - 1);
+    const int y1 = std::clamp(static_cast<int>(top) + 1, 0, height - 1);
+    const float *a = panorama_.pixel(x0, y0), *b = panorama_.pixel(x1, y0);
+    const float *c = panorama_.pixel(x0, y1), *d = panorama_.pixel(x1, y1);
+    glm::dvec3 rgb;
+    for (int k = 0; k < 3; ++k) {
+        const double upper = static_cast<double>(a[k]) + right * static_cast<double>(b[k] - a[k]);
+        const double lower = static_cast<double>(c[k]) + right * static_cast<double>(d[k] - c[k]);
+        rgb[k] = upper + below * (lower - upper);
+    }
+    return rgb;
+}
+
+const double* EnvironmentLight::ends_of(int row) const
+{
+    return column_ends_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
+}
+
+double EnvironmentLight::cell_density(int row, int column) const
+{
+    // By the same numbers that draw() chooses by: the density is exactly its own.
+    return Span(row_ends_.data(), rows_, row).size() * Span(ends_of(row), columns_, column).size() /
+           cell_angle_[static_cast<std::size_t>(row)];
+}
+
+EnvironmentLight::Drawn EnvironmentLight::draw(const glm::dvec2& u) const
+{
+    if (dark_)
+        return {};
+    const int row = chosen(row_ends_.data(), rows_, u.y);
+    const int column = chosen(ends_of(row), columns_, u.x);
+    const double below = Span(row_ends_.data(), rows_, row).place(u.y);
+    const double right = Span(ends_of(row), columns_, column).place(u.x);
+    const double top = edge_cosine(row, rows_), bottom = edge_cosine(row + 1, rows_);
+    const double y = top + below * (bottom - top), sine = std::sqrt(std::max(1.0 - y * y, 0.0));
+    const double phi = ((column + right) / columns_ - 0.5) * 2.0 * pi;
+    const double px = sine * std::cos(phi), pz = sine * std::sin(phi);
+    return {{cosine_ * px + sine_ * pz, y, cosine_ * pz - sine_ * px}, cell_density(row, column)};
+}
+
+double EnvironmentLight::density(const glm::dvec3& direction) const
+{
+    if (dark_)
+        return 0.0;
+    const glm::dvec2 uv = panorama_place(direction);
+    const int column = std::clamp(static_cast<int>(uv.x * columns_), 0, columns_ - 1);
+    const int row = std::clamp(static_cast<int>(uv.y * rows_), 0, rows_ - 1);
+    return cell_density(row, column);
+}
+
+} // namespace lambent::reference

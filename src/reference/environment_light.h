@@ -1,0 +1,51 @@
+// The environment as a light: the panorama itself, read between its texels, and directions drawn in proportion to it.
+#pragma once
+
+#include "image/image.h"
+
+#include <glm/ext/vector_double2.hpp>
+#include <glm/ext/vector_double3.hpp>
+
+#include <vector>
+
+namespace lambent::reference {
+
+/// Light that arrives from infinitely far away, RGB radiance by direction: bilinear between the texels of an
+/// equirectangular picture, columns going round, rows ending at the poles.
+class EnvironmentLight {
+public:
+    /// Finite, not negative RGB, at least 2x1; must outlive this. rotation as view::Picture::environment_rotation.
+    EnvironmentLight(const image::RadianceImage& panorama, double rotation);
+
+    glm::dvec3 radiance(const glm::dvec3& direction) const;
+
+    /// A direction, and its density per solid angle: 0 if the whole environment is black.
+    struct Drawn {
+        glm::dvec3 direction{0.0};
+        double density = 0.0;
+    };
+    /// Drawn by the luminance of cells of one or more texels, each cell's being the mean of the bilinear picture over
+    /// it; within a cell uniformly per solid angle. [Pharr, Jakob and Humphreys 2016, 14.2.4]
+    Drawn draw(const glm::dvec2& u) const;
+
+    /// Density of draw() at a unit direction.
+    double density(const glm::dvec3& direction) const;
+
+private:
+    void fill_cells();
+    double smoothed_luminance(int x, int y) const;
+    double cell_light(int column, int row) const;
+    const double* ends_of(int row) const;
+    glm::dvec2 panorama_place(const glm::dvec3& direction) const; ///< 0 to 1
+    double cell_density(int row, int column) const;
+
+    const image::RadianceImage& panorama_;
+    double cosine_, sine_;
+    int columns_ = 0, rows_ = 0;      ///< of cells
+    std::vector<double> row_ends_;    ///< cumulative, one per row, the last is 1
+    std::vector<double> column_ends_; ///< cumulative within each row, the last is 1
+    std::vector<double> cell_angle_;  ///< solid angle of each row's cells
+    bool dark_ = true;
+};
+
+} // namespace lambent::reference

@@ -1,0 +1,236 @@
+#include "reference/path.h"
+
+#include "reference/light_arrival.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lambent::reference {
+namespace {
+
+// A ray that has gone through so many backs and transparent layers sees nothing any more.
+constexpr int most_layers = 256;
+
+// Paths are as long as asked for up to here; then only some go on, for those that end. [Arvo and Kirk 1990]
+constexpr int least_bounces = 3;
+
+// More lights than this are not all asked at every point.
+constexpr std::size_t most_lights_at_once = 8;
+
+// What is drawn and how likely another way draws it as well: the weight of this one.
+// [balance heuristic: Veach and Guibas 1995, "Optimally combining sampling techniques for Monte Carlo rendering"]
+double weight_of(double density, double other)
+{
+    return density / (density + other);
+}
+
+// Where rays leave a point so that they do not meet its own triangle: floats of the position are exact to 2^-24.
+glm::vec3 start_beside(const glm::dvec3& position, const glm::dvec3& towards)
+{
+    const double size = std::max({std::fabs(position.x), std::fabs(position.y), std::fabs(position.z)});
+    return glm::vec3(position + (size * 0x1p-20 + 1e-30) * towards);
+}
+
+class Path {
+public:
+    Path(const World& world, Sampler& sampler) : world_(world), sampler_(sampler) {}
+
+    Sight follow(const SightRay& sight);
+
+private:
+    trace::Hit find(trace::Ray ray);
+    double passing(trace::Ray ray) const;
+    glm::dvec3 light_from(const Surface& surface, const Reflection& reflection, const glm::dvec2& u) const;
+    glm::dvec3 lamps(const Surface& surface, const Reflection& reflection);
+    glm::dvec3 lamp(const scene::Light& light, const Surface& surface, const Reflection& reflection) const;
+    glm::dvec3 background(const glm::dvec3& direction);
+    glm::dvec3 escaped(const glm::dvec3& direction) const;
+    bool survives(int bounce);
+    glm::dvec3 scattered(const Surface& surface);
+    bool below(const Surface& surface, const glm::dvec3& direction) const;
+
+    const World& world_;
+    Sampler& sampler_;
+    glm::dvec3 throughput_{1.0}; ///< of the path so far
+    glm::dvec3 next_{0.0};       ///< where the path goes on
+    double density_ = 0.0;       ///< with which that was drawn; 0: the path ends
+};
+
+// The first surface that is there for this ray: not a culled back, and not the part that alpha lets through.
+trace::Hit Path::find(trace::Ray ray)
+{
+    for (int layer = 0; layer < most_layers; ++layer) {
+        const trace::Hit hit = world_.visibility->nearest(ray);
+        if (!hit.found())
+            return hit;
+        if (!world_.surfaces->is_culled(hit)) {
+            const double opacity = world_.surfaces->opacity(hit);
+            if (opacity >= 1.0 || (opacity > 0.0 && sampler_.random() < opacity))
+                return hit;
+        }
+        ray.near = hit.distance * (1.0f + 1e-5f) + 1e-30f;
+    }
+    return {};
+}
+
+// Share of the light that gets along a ray.
+double Path::passing(trace::Ray ray) const
+{
+    double left = 1.0;
+    for (int layer = 0; layer < most_layers; ++layer) {
+        const trace::Hit hit = world_.visibility->nearest(ray);
+        if (!hit.found())
+            return left;
+        if (!world_.surfaces->is_culled(hit))
+            left *= 1.0 - world_.surfaces->opacity(hit);
+        if (!(left > 0.0))
+            return 0.0;
+        ray.near = hit.distance * (1.0f + 1e-5f) + 1e-30f;
+    }
+    return 0.0;
+}
+
+// Whether the triangle itself is in the way, though the smooth surface is not.
+bool Path::below(const Surface& surface, const glm::dvec3& direction) const
+{
+    return world_.bounces > 0 && !(glm::dot(surface.geometric, direction) > 0.0);
+}
+
+// The environment's light, from a direction in which the environment is bright.
+glm::dvec3 Path::light_from(const Surface& surface, const Reflection& reflection, const glm::dvec2& u) const
+{
+    if (!world_.environment || world_.strategy == Strategy::reflections_only)
+        return glm::dvec3(0.0);
+    const EnvironmentLight::Drawn drawn = world_.environment->draw(u);
+    if (!(drawn.density > 0.0) || below(surface, drawn.direction))
+        return glm::dvec3(0.0);
+    const glm::dvec3 value = reflection.value(drawn.direction);
+    if (value == glm::dvec3(0.0))
+        return value;
+    const bool alone = world_.strategy == Strategy::lights_only;
+    const double weight = alone ? 1.0 : weight_of(drawn.density, reflection.density(drawn.direction));
+    const double way =
+        world_.bounces == 0
+            ? 1.0
+            : passing({start_beside(surface.position, surface.geometric), glm::vec3(drawn.direction)});
+    return way > 0.0 ? (way * weight / drawn.density) * value * world_.environment->radiance(drawn.direction)
+                     : glm::dvec3(0.0);
+}
+
+glm::dvec3 Path::lamp(const scene::Light& light, const Surface& surface, const Reflection& reflection) const
+{
+    const LightArrival arrival = arrival_of(light, surface.position);
+    if (arrival.illuminance == glm::dvec3(0.0) || below(surface, arrival.direction))
+        return glm::dvec3(0.0);
+    const glm::dvec3 value = reflection.value(arrival.direction);
+    if (value == glm::dvec3(0.0) || world_.bounces == 0)
+        return value * arrival.illuminance;
+    trace::Ray ray{start_beside(surface.position, surface.geometric), glm::vec3(arrival.direction)};
+    ray.far = static_cast<float>(arrival.distance);
+    return passing(ray) * value * arrival.illuminance;
+}
+
+// All lights without size, or one of many for all of them.
+glm::dvec3 Path::lamps(const Surface& surface, const Reflection& reflection)
+{
+    const std::size_t count = world_.lights.size();
+    if (count > most_lights_at_once) {
+        const auto chosen = static_cast<std::size_t>(sampler_.random() * static_cast<double>(count));
+        return static_cast<double>(count) * lamp(world_.lights[chosen], surface, reflection);
+    }
+    glm::dvec3 sum(0.0);
+    for (const scene::Light& light : world_.lights)
+        sum += lamp(light, surface, reflection);
+    return sum;
+}
+
+// Light that a surface reflects directly; draws where the path goes on.
+glm::dvec3 Path::scattered(const Surface& surface)
+{
+    const Reflection reflection(surface, world_.model, world_.energy_compensation);
+    const std::array<double, 4> u = sampler_.next4();
+    glm::dvec3 light = lamps(surface, reflection) + light_from(surface, reflection, {u[0], u[1]});
+    light *= throughput_;
+    next_ = reflection.draw({u[2], u[3]});
+    density_ = below(surface, next_) ? 0.0 : reflection.density(next_);
+    if (!(density_ > 0.0))
+        return light;
+    throughput_ *= reflection.value(next_) / density_;
+    if (throughput_ == glm::dvec3(0.0))
+        density_ = 0.0;
+    return light;
+}
+
+glm::dvec3 Path::background(const glm::dvec3& direction)
+{
+    using Kind = view::Background::Kind;
+    const view::Background& b = world_.background;
+    if (b.kind == Kind::color)
+        return glm::dvec3(b.color);
+    if (b.kind == Kind::none || !world_.environment)
+        return glm::dvec3(0.0);
+    return world_.environment->radiance(b.kind == Kind::blurred ? blurred(direction, b.roughness, sampler_)
+                                                                : direction);
+}
+
+// The environment's light in the direction that the last surface drew.
+glm::dvec3 Path::escaped(const glm::dvec3& direction) const
+{
+    if (!world_.environment || world_.strategy == Strategy::lights_only)
+        return glm::dvec3(0.0);
+    const bool alone = world_.strategy == Strategy::reflections_only;
+    const double weight = alone ? 1.0 : weight_of(density_, world_.environment->density(direction));
+    return weight * throughput_ * world_.environment->radiance(direction);
+}
+
+bool Path::survives(int bounce)
+{
+    if (bounce < least_bounces)
+        return true;
+    const double chance = std::min(std::max({throughput_.x, throughput_.y, throughput_.z}), 0.95);
+    if (!(sampler_.random() < chance))
+        return false;
+    throughput_ /= chance;
+    return true;
+}
+
+Sight Path::follow(const SightRay& sight)
+{
+    Sight seen;
+    trace::Ray ray{glm::vec3(sight.origin), glm::vec3(sight.direction)};
+    glm::dvec3 direction = sight.direction;
+    for (int bounce = 0;; ++bounce) {
+        // Without shadows nothing is in the way of what was drawn.
+        const bool open = bounce > 0 && world_.bounces == 0;
+        const trace::Hit hit = open ? trace::Hit() : find(ray);
+        if (!hit.found()) {
+            if (bounce == 0)
+                seen.radiance = background(direction);
+            else
+                seen.radiance += escaped(direction);
+            return seen;
+        }
+        const Surface surface = world_.surfaces->at(hit, direction);
+        seen.coverage = 1.0;
+        seen.radiance += throughput_ * surface.emitted;
+        if (surface.unlit || (bounce > 0 && bounce >= world_.bounces))
+            return seen;
+        seen.radiance += scattered(surface);
+        if (!(density_ > 0.0) || !survives(bounce))
+            return seen;
+        direction = next_;
+        ray = {start_beside(surface.position, surface.geometric), glm::vec3(direction)};
+    }
+}
+
+} // namespace
+
+Sight trace_path(const World& world, const SightRay& ray, Sampler& sampler)
+{
+    return Path(world, sampler).follow(ray);
+}
+
+} // namespace lambent::reference

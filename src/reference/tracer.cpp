@@ -1,0 +1,184 @@
+#include "reference/tracer.h"
+
+#include "reference/budget.h"
+#include "reference/film.h"
+#include "trace/visibility.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <mutex>
+
+namespace lambent::reference {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Each round makes this many samples for one there is.
+constexpr double growth = 1.5;
+
+class Tracer {
+public:
+    Tracer(const World& world, const Settings& settings, const std::function<bool(const Progress&)>& go_on)
+        : world_(world), settings_(settings), go_on_(go_on),
+          lens_(settings.panorama_from ? Lens(*settings.panorama_from, settings.width, settings.height)
+                                       : Lens(settings.camera, settings.width, settings.height)),
+          film_(settings.width, settings.height)
+    {
+    }
+
+    Result run();
+
+private:
+    void round(const std::vector<int>& wanted);
+    void sample_tile(int tile, int count);
+    std::vector<int> next_counts() const;
+    Progress progress() const;
+    void ask(bool first_round);
+    double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+    bool enough() const;
+
+    const World& world_;
+    const Settings& settings_;
+    const std::function<bool(const Progress&)>& go_on_;
+    Lens lens_;
+    Film film_;
+    Clock::time_point start_ = Clock::now();
+    double noise_ = 0.0;         ///< as of the last round
+    double samples_ = 0.0;       ///< likewise
+    double noise_seconds_ = 0.0; ///< when that was
+    std::atomic<bool> stop_ = false, refused_ = false;
+    std::atomic<std::uint64_t> broken_ = 0;
+    std::mutex asking_;
+};
+
+void Tracer::sample_tile(int tile, int count)
+{
+    const Film::Area a = film_.area(tile);
+    for (int y = a.y; y < a.y + a.height; ++y)
+        for (int x = a.x; x < a.x + a.width; ++x) {
+            const std::uint32_t pixel =
+                mixed(mixed(static_cast<std::uint32_t>(x), settings_.seed), static_cast<std::uint32_t>(y));
+            for (int i = film_.samples(tile); i < count; ++i) {
+                Sampler sampler(mixed(pixel, static_cast<std::uint32_t>(i % Film::replicates)),
+                                static_cast<std::uint32_t>(i / Film::replicates));
+                const std::array<double, 4> place = sampler.next4();
+                Sight sight = trace_path(world_, lens_.through(x + place[0], y + place[1]), sampler);
+                if (!std::isfinite(sight.radiance.x + sight.radiance.y + sight.radiance.z)) {
+                    sight.radiance = glm::dvec3(0.0);
+                    ++broken_;
+                }
+                film_.add(x, y, i, sight);
+            }
+        }
+    film_.finish(tile, count);
+}
+
+Progress Tracer::progress() const
+{
+    const double now = seconds();
+    Progress p;
+    p.noise = noise_;
+    p.samples = samples_;
+    // Of the ways to stop, the one that will come first.
+    p.done = now / settings_.seconds;
+    if (samples_ > 0.0)
+        p.done = std::max(p.done, samples_ / settings_.samples * (now / noise_seconds_));
+    if (settings_.noise > 0.0 && noise_ > 0.0)
+        p.done = std::max(p.done, std::pow(settings_.noise / noise_, 2) * (now / noise_seconds_));
+    p.done = std::clamp(p.done, 1e-6, 1.0);
+    p.seconds_left = now / p.done - now;
+    return p;
+}
+
+void Tracer::ask(bool first_round)
+{
+    const std::unique_lock lock(asking_, std::try_to_lock);
+    if (!lock)
+        return;
+    if (go_on_ && !refused_ && !go_on_(progress()))
+        refused_ = true;
+    if (!first_round && (refused_ || seconds() >= settings_.seconds))
+        stop_ = true;
+}
+
+void Tracer::round(const std::vector<int>& wanted)
+{
+    const bool first = film_.samples(0) == 0;
+    tbb::parallel_for(0, film_.tile_count(), [&](int tile) {
+        if (stop_ || wanted[static_cast<std::size_t>(tile)] <= film_.samples(tile))
+            return;
+        sample_tile(tile, wanted[static_cast<std::size_t>(tile)]);
+        ask(first);
+    });
+    noise_ = film_.relative_noise();
+    samples_ = film_.mean_samples();
+    noise_seconds_ = seconds();
+}
+
+bool Tracer::enough() const
+{
+    return stop_ || refused_ || samples_ >= settings_.samples || seconds() >= settings_.seconds ||
+           (settings_.noise > 0.0 && samples_ >= 2 * Film::replicates && noise_ <= settings_.noise);
+}
+
+std::vector<int> Tracer::next_counts() const
+{
+    const std::size_t tiles = static_cast<std::size_t>(film_.tile_count());
+    const double next = std::min(std::max(samples_ * growth, samples_ + Film::replicates),
+                                 static_cast<double>(settings_.samples));
+    if (!settings_.adaptive) {
+        const int whole = static_cast<int>(next) / Film::replicates * Film::replicates;
+        const bool last = next >= settings_.samples;
+        return std::vector<int>(tiles, last ? settings_.samples : whole);
+    }
+    std::vector<TileState> states;
+    for (int tile = 0; tile < film_.tile_count(); ++tile)
+        states.push_back({film_.samples(tile), film_.tile_variance(tile)});
+    return share_samples(states, next * static_cast<double>(tiles), Film::replicates);
+}
+
+Result Tracer::run()
+{
+    const std::size_t tiles = static_cast<std::size_t>(film_.tile_count());
+    // One sample everywhere, quickly: from then on there is a picture. Then what tells the variance.
+    round(std::vector<int>(tiles, 1));
+    if (!enough())
+        round(std::vector<int>(tiles, std::min(2 * Film::replicates, settings_.samples)));
+    while (!enough()) {
+        const double before = samples_;
+        round(next_counts());
+        if (!(samples_ > before))
+            break;
+    }
+    return {film_.radiance(), film_.variance(), noise_, samples_, broken_, refused_};
+}
+
+} // namespace
+
+Result trace(const scene::Scene& scene, const image::RadianceImage* panorama, const Settings& settings,
+             const std::function<bool(const Progress&)>& go_on)
+{
+    const lambent::trace::Visibility visibility(scene);
+    const Surfaces surfaces(scene, settings.model, settings.texel_transfer);
+    std::optional<EnvironmentLight> environment;
+    if (panorama)
+        environment.emplace(*panorama, settings.environment_rotation);
+    World world;
+    world.visibility = &visibility;
+    world.surfaces = &surfaces;
+    world.environment = environment ? &*environment : nullptr;
+    world.lights = scene.lights;
+    world.lights.insert(world.lights.end(), settings.lights.begin(), settings.lights.end());
+    world.model = settings.model;
+    world.energy_compensation = settings.energy_compensation;
+    world.background = settings.background;
+    world.bounces = settings.bounces;
+    world.strategy = settings.strategy;
+    return Tracer(world, settings, go_on).run();
+}
+
+} // namespace lambent::reference

@@ -1,0 +1,53 @@
+// The reference: a picture by path tracing, and how exact it is.
+#pragma once
+
+#include "image/image.h"
+#include "reference/path.h"
+#include "scene/scene.h"
+#include "view/picture.h"
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+
+namespace lambent::reference {
+
+/// What to trace and when to stop: at whichever limit comes first, but never before each pixel has one sample.
+struct Settings : view::Picture {
+    int bounces =
+        8; ///< 0: direct light, no shadows (what image based lighting approximates); 1: with shadows
+    std::optional<glm::vec3> panorama_from; ///< all directions from here instead of the camera's picture
+    Strategy strategy = Strategy::both;
+    int samples = 1 << 20; ///< per pixel, on average
+    double noise = 0.0;    ///< estimated relative RMSE (see Film::relative_noise); 0: no limit
+    double seconds = std::numeric_limits<double>::infinity();
+    /// Noisy parts get more samples than quiet ones. The numbers of samples then depend on what was seen, which pulls
+    /// values towards less by a small part of the noise. [Kirk and Arvo 1991] Without it, none of that.
+    bool adaptive = false;
+    std::uint32_t seed = 0;
+};
+
+struct Progress {
+    double done = 0.0;  ///< of the way to the first limit, 0 to 1
+    double noise = 0.0; ///< present estimate, 0 before there is one
+    double samples = 0.0;
+    double seconds_left = 0.0;
+};
+
+struct Result {
+    image::RadianceImage radiance; ///< RGBA before exposure and tone curve; alpha is coverage by surfaces
+    image::RadianceImage variance; ///< RGB: of each value of `radiance`, as its mean over samples
+    double noise = 0.0;            ///< estimated relative RMSE
+    double samples = 0.0;          ///< per pixel, on average
+    std::uint64_t broken = 0;      ///< samples that were no number and count as black
+    bool stopped = false;          ///< by `go_on`
+};
+
+/// Paths through the scene under a panorama (RGB, finite, not negative, 2x1 or more; null: darkness).
+/// `go_on` is asked now and then, by one thread at a time; after it says false, what there is is returned.
+/// Same rays, and same box filter over pixels, as draw/. Throws Error(no_device) where Embree does not run.
+Result trace(const scene::Scene& scene, const image::RadianceImage* panorama, const Settings& settings,
+             const std::function<bool(const Progress&)>& go_on = {});
+
+} // namespace lambent::reference
