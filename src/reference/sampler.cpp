@@ -44,6 +44,24 @@ constexpr Directions van_der_corput()
 constexpr std::array<Directions, 4> tables = {van_der_corput(), directions({1, 0, {1, 0, 0}}),
                                               directions({2, 1, {1, 3, 0}}), directions({3, 1, {1, 3, 1}})};
 
+// What each byte of an index adds to the point: four look-ups instead of thirty-two tests.
+using Point = std::array<std::uint32_t, 4>;
+using ByteTables = std::array<std::array<Point, 256>, 4>;
+
+constexpr ByteTables byte_tables()
+{
+    ByteTables result{};
+    for (std::size_t byte = 0; byte < 4; ++byte)
+        for (std::size_t value = 0; value < 256; ++value)
+            for (std::size_t bit = 0; bit < 8; ++bit)
+                for (std::size_t d = 0; d < 4; ++d)
+                    if (value >> bit & 1u)
+                        result[byte][value][d] ^= tables[d][8 * byte + bit];
+    return result;
+}
+
+constexpr ByteTables by_byte = byte_tables();
+
 constexpr std::uint32_t reversed(std::uint32_t x)
 {
     x = (x >> 16) | (x << 16);
@@ -57,11 +75,10 @@ constexpr std::uint32_t reversed(std::uint32_t x)
 
 std::array<std::uint32_t, 4> sobol(std::uint32_t index)
 {
-    std::array<std::uint32_t, 4> point{};
-    for (std::size_t bit = 0; index != 0; ++bit, index >>= 1)
-        if (index & 1u)
-            for (std::size_t d = 0; d < 4; ++d)
-                point[d] ^= tables[d][bit];
+    Point point{};
+    for (std::size_t byte = 0; byte < 4; ++byte)
+        for (std::size_t d = 0; d < 4; ++d)
+            point[d] ^= by_byte[byte][index >> (8 * byte) & 255u][d];
     return point;
 }
 
