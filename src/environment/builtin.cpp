@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "environment/kitchen.h"
 #include "environment/sky.h"
 #include "environment/studio.h"
 
@@ -14,7 +15,7 @@
 namespace lambent::environment {
 namespace {
 
-constexpr std::array<std::string_view, 3> names = {"studio", "sky", "furnace"};
+constexpr std::array<std::string_view, 4> names = {"kitchen", "studio", "sky", "furnace"};
 
 void check(bool in_range, const char* what, double value, const char* range)
 {
@@ -53,11 +54,16 @@ bool is_builtin(std::string_view name)
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-image::RadianceImage make_builtin(std::string_view name, const BuiltinOptions& options)
+image::RadianceImage make_builtin(std::string_view name, const BuiltinOptions& given)
 {
     if (!is_builtin(name))
         throw Error(Failure::usage, text("there is no built-in environment '", name, "'"));
+    BuiltinOptions options = given;
+    if (options.width == 0)
+        options.width = name == "kitchen" ? 2048 : 1024;
     check(options);
+    if (name == "kitchen")
+        return make_kitchen(options.width);
     if (name == "studio")
         return make_studio(options.width);
     if (name == "sky")

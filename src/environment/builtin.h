@@ -9,13 +9,14 @@
 namespace lambent::environment {
 
 struct BuiltinOptions {
-    int width = 1024;           ///< of the panorama, a power of two from 64 to 8192; half as high
+    int width = 0; ///< of the panorama, a power of two from 64 to 8192; half as high. 0: 1024, the kitchen 2048
     float sun_azimuth = -0.8f;  ///< radians about +Y as a camera's azimuth: 0 is on the +Z side (sky)
     float sun_elevation = 0.7f; ///< radians above the horizon, -0.1 to pi/2 (sky)
     float turbidity = 2.2f;     ///< haze: 1.5 (clear) to 10 (sky)
 };
 
 /// The names that make_builtin knows:
+///  - kitchen: a modern kitchen on a sunny day, path-traced from src/kitchen;
 ///  - studio: a dark photographer's studio with softboxes, for products;
 ///  - sky: a clear day with the sun, over ground;
 ///  - furnace: radiance 1 everywhere.
@@ -23,7 +24,7 @@ std::span<const std::string_view> builtin_names();
 
 bool is_builtin(std::string_view name);
 
-/// Luminance in cd/m^2 of radiance 1 in the sky: a white wall in the sun is then 3, the blue sky 0.3 to 1.
+/// Luminance in cd/m^2 of radiance 1 in the sky (in the kitchen: see src/kitchen/kitchen.h): a white wall in the sun is then 3, the blue sky 0.3 to 1.
 constexpr float sky_nits_per_unit = 15000.0f;
 
 /// An equirectangular picture, RGB, oriented as Panorama. Throws Error(usage) for an unknown name or an option outside

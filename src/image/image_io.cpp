@@ -59,6 +59,32 @@ void check_writable(const Image& image, std::size_t elements, const std::filesys
                          " pixels with ", image.channels, " channels and ", elements, " values"));
 }
 
+std::unique_ptr<RadianceReader> open_radiance(std::unique_ptr<ByteSource> source)
+{
+    const Content content = content_of(*source);
+    if (content == Content::radiance)
+        return open_radiance_hdr(std::move(source));
+    if (content == Content::exr)
+        return open_exr(std::move(source));
+    refuse(source->name(), "is a ", name_of(content), "; light is read from Radiance HDR and OpenEXR");
+}
+
+RadianceImage read_all_rows(const std::unique_ptr<RadianceReader>& reader)
+{
+    RadianceImage image{reader->width(), reader->height(), 3, {}};
+    const std::size_t row = static_cast<std::size_t>(image.width) * 3;
+    image.values.reserve(row * static_cast<std::size_t>(image.height));
+    ask_for_huge_pages(image.values.data(), image.values.capacity() * sizeof(float));
+    // Memory is taken as the rows prove to be there, and while they are still in the cache.
+    const int most = std::max(1, band_pixels / image.width);
+    for (int y = 0; y < image.height; y += most) {
+        const int count = std::min(most, image.height - y);
+        image.values.resize(image.values.size() + row * static_cast<std::size_t>(count));
+        reader->read_rows(count, image.pixel(0, y));
+    }
+    return image;
+}
+
 } // namespace
 
 FileKind file_kind(const std::filesystem::path& path)
@@ -79,30 +105,17 @@ FileKind file_kind(const std::filesystem::path& path)
 
 std::unique_ptr<RadianceReader> open_radiance(const std::filesystem::path& path)
 {
-    std::unique_ptr<ByteSource> source = open_bytes(path);
-    const Content content = content_of(*source);
-    if (content == Content::radiance)
-        return open_radiance_hdr(std::move(source));
-    if (content == Content::exr)
-        return open_exr(std::move(source));
-    refuse(source->name(), "is a ", name_of(content), "; light is read from Radiance HDR and OpenEXR");
+    return open_radiance(open_bytes(path));
 }
 
 RadianceImage read_radiance(const std::filesystem::path& path)
 {
-    const std::unique_ptr<RadianceReader> reader = open_radiance(path);
-    RadianceImage image{reader->width(), reader->height(), 3, {}};
-    const std::size_t row = static_cast<std::size_t>(image.width) * 3;
-    image.values.reserve(row * static_cast<std::size_t>(image.height));
-    ask_for_huge_pages(image.values.data(), image.values.capacity() * sizeof(float));
-    // Memory is taken as the rows prove to be there, and while they are still in the cache.
-    const int most = std::max(1, band_pixels / image.width);
-    for (int y = 0; y < image.height; y += most) {
-        const int count = std::min(most, image.height - y);
-        image.values.resize(image.values.size() + row * static_cast<std::size_t>(count));
-        reader->read_rows(count, image.pixel(0, y));
-    }
-    return image;
+    return read_all_rows(open_radiance(path));
+}
+
+RadianceImage decode_radiance(std::span<const std::uint8_t> bytes, const std::string& name)
+{
+    return read_all_rows(open_radiance(open_bytes(bytes, name)));
 }
 
 CodeImage decode_codes(std::span<const std::uint8_t> bytes, const std::string& name)

@@ -38,6 +38,9 @@ std::unique_ptr<RadianceReader> open_radiance(const std::filesystem::path& path)
 /// The whole of a .hdr or .exr as RGB. Throws Error(bad_input).
 RadianceImage read_radiance(const std::filesystem::path& path);
 
+/// The same of bytes in memory; `name` is used in messages. Throws Error(bad_input).
+RadianceImage decode_radiance(std::span<const std::uint8_t> bytes, const std::string& name);
+
 /// A PNG or JPEG held in memory, as RGBA codes, 8 or (PNG) 16 bits. `name` is used in messages.
 /// Throws Error(bad_input); safe for untrusted bytes.
 CodeImage decode_codes(std::span<const std::uint8_t> bytes, const std::string& name);

@@ -24,4 +24,8 @@ ImageInfo inspect_exr(ByteSource& source);
 /// RGB or RGBA, 32-bit float, ZIP, every value as it is, NaN and infinity included.
 std::vector<std::uint8_t> encode_exr(const RadianceImage& image);
 
+/// RGB or RGBA, half floats, DWAB: a tenth of the size or less, at errors like a JPEG's. `loss` is the library's
+/// compression level; 45 is its own choice.
+std::vector<std::uint8_t> encode_small_exr(const RadianceImage& image, float loss = 45.0f);
+
 } // namespace lambent::image

@@ -7,8 +7,11 @@
 #include <ImfHeader.h>
 #include <ImfIO.h>
 #include <ImfOutputFile.h>
+#include <half.h>
 
+#include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace lambent::image {
 namespace {
@@ -36,21 +39,22 @@ private:
     std::size_t at_ = 0;
 };
 
-} // namespace
+constexpr const char* channel_names[] = {"R", "G", "B", "A"};
 
-std::vector<std::uint8_t> encode_exr(const RadianceImage& image)
+// Writes channels of `type`, interleaved in memory.
+std::vector<std::uint8_t> encode(const RadianceImage& image, Imf::Header header, Imf::PixelType type,
+                                 const void* values)
 {
-    static constexpr const char* names[] = {"R", "G", "B", "A"};
-    Imf::Header header(image.width, image.height);
-    header.compression() = Imf::ZIP_COMPRESSION;
     Imf::FrameBuffer frame;
-    const std::size_t pixel_bytes = static_cast<std::size_t>(image.channels) * sizeof(float);
+    const std::size_t value_bytes = type == Imf::HALF ? 2 : 4;
+    const std::size_t pixel_bytes = static_cast<std::size_t>(image.channels) * value_bytes;
     for (int c = 0; c < image.channels; ++c) {
-        header.channels().insert(names[c], Imf::Channel(Imf::FLOAT));
+        header.channels().insert(channel_names[c], Imf::Channel(type));
         // The library only reads from the slices of an output file, though it asks for a char*.
-        char* const base = const_cast<char*>(reinterpret_cast<const char*>(image.values.data() + c));
-        frame.insert(names[c], Imf::Slice(Imf::FLOAT, base, pixel_bytes,
-                                          pixel_bytes * static_cast<std::size_t>(image.width)));
+        char* const base =
+            const_cast<char*>(static_cast<const char*>(values)) + static_cast<std::size_t>(c) * value_bytes;
+        frame.insert(channel_names[c], Imf::Slice(type, base, pixel_bytes,
+                                                  pixel_bytes * static_cast<std::size_t>(image.width)));
     }
     MemoryStream stream;
     {
@@ -63,6 +67,27 @@ std::vector<std::uint8_t> encode_exr(const RadianceImage& image)
         file.writePixels(image.height);
     }
     return stream.take();
+}
+
+} // namespace
+
+std::vector<std::uint8_t> encode_exr(const RadianceImage& image)
+{
+    Imf::Header header(image.width, image.height);
+    header.compression() = Imf::ZIP_COMPRESSION;
+    return encode(image, std::move(header), Imf::FLOAT, image.values.data());
+}
+
+std::vector<std::uint8_t> encode_small_exr(const RadianceImage& image, float loss)
+{
+    Imf::Header header(image.width, image.height);
+    header.compression() = Imf::DWAB_COMPRESSION;
+    header.dwaCompressionLevel() = loss;
+    std::vector<half> halfs;
+    halfs.reserve(image.values.size());
+    for (const float value : image.values)
+        halfs.emplace_back(std::min(value, static_cast<float>(HALF_MAX)));
+    return encode(image, std::move(header), Imf::HALF, halfs.data());
 }
 
 } // namespace lambent::image

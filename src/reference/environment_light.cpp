@@ -113,16 +113,15 @@ void EnvironmentLight::fill_cells()
     dark_ = !(total > 0.0);
 }
 
-glm::dvec2 EnvironmentLight::panorama_place(const glm::dvec3& d) const
+glm::dvec2 EnvironmentLight::place_of(const glm::dvec3& d) const
 {
     const in_double::vec2 uv = in_double::equirectangular_from_direction(
         {cosine_ * d.x - sine_ * d.z, d.y, sine_ * d.x + cosine_ * d.z});
     return {uv.x, uv.y};
 }
 
-glm::dvec3 EnvironmentLight::radiance(const glm::dvec3& direction) const
+glm::dvec3 EnvironmentLight::radiance_at(const glm::dvec2& uv) const
 {
-    const glm::dvec2 uv = panorama_place(direction);
     const int width = panorama_.width, height = panorama_.height;
     const double x = uv.x * width - 0.5, y = uv.y * height - 0.5;
     const double left = std::floor(x), top = std::floor(y);
@@ -163,16 +162,17 @@ EnvironmentLight::Drawn EnvironmentLight::draw(const glm::dvec2& u) const
     const double right = Span(ends_of(row), columns_, column).place(u.x);
     const double top = edge_cosine(row, rows_), bottom = edge_cosine(row + 1, rows_);
     const double y = top + below * (bottom - top), sine = std::sqrt(std::max(1.0 - y * y, 0.0));
-    const double phi = ((column + right) / columns_ - 0.5) * 2.0 * pi;
+    const double across = (column + right) / columns_, phi = (across - 0.5) * 2.0 * pi;
     const double px = sine * std::cos(phi), pz = sine * std::sin(phi);
-    return {{cosine_ * px + sine_ * pz, y, cosine_ * pz - sine_ * px}, cell_density(row, column)};
+    return {{cosine_ * px + sine_ * pz, y, cosine_ * pz - sine_ * px},
+            {across, std::acos(std::clamp(y, -1.0, 1.0)) / pi},
+            cell_density(row, column)};
 }
 
-double EnvironmentLight::density(const glm::dvec3& direction) const
+double EnvironmentLight::density_at(const glm::dvec2& uv) const
 {
     if (dark_)
         return 0.0;
-    const glm::dvec2 uv = panorama_place(direction);
     const int column = std::clamp(static_cast<int>(uv.x * columns_), 0, columns_ - 1);
     const int row = std::clamp(static_cast<int>(uv.y * rows_), 0, rows_ - 1);
     return cell_density(row, column);

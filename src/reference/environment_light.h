@@ -17,11 +17,13 @@ public:
     /// Finite, not negative RGB, at least 2x1; must outlive this. rotation as view::Picture::environment_rotation.
     EnvironmentLight(const image::RadianceImage& panorama, double rotation);
 
-    glm::dvec3 radiance(const glm::dvec3& direction) const;
+    glm::dvec3 radiance(const glm::dvec3& direction) const { return radiance_at(place_of(direction)); }
 
-    /// A direction, and its density per solid angle: 0 if the whole environment is black.
+    /// A direction, where it is in the panorama (0 to 1 along each axis), and its density per solid angle: 0 if the
+    /// whole environment is black.
     struct Drawn {
         glm::dvec3 direction{0.0};
+        glm::dvec2 place{0.0};
         double density = 0.0;
     };
     /// Drawn by the luminance of cells of one or more texels, each cell's being the mean of the bilinear picture over
@@ -29,14 +31,18 @@ public:
     Drawn draw(const glm::dvec2& u) const;
 
     /// Density of draw() at a unit direction.
-    double density(const glm::dvec3& direction) const;
+    double density(const glm::dvec3& direction) const { return density_at(place_of(direction)); }
+
+    /// The same by place: finding that is most of the work.
+    glm::dvec2 place_of(const glm::dvec3& direction) const;
+    glm::dvec3 radiance_at(const glm::dvec2& place) const;
+    double density_at(const glm::dvec2& place) const;
 
 private:
     void fill_cells();
     double smoothed_luminance(int x, int y) const;
     double cell_light(int column, int row) const;
     const double* ends_of(int row) const;
-    glm::dvec2 panorama_place(const glm::dvec3& direction) const; ///< 0 to 1
     double cell_density(int row, int column) const;
 
     const image::RadianceImage& panorama_;

@@ -116,7 +116,7 @@ glm::dvec3 Path::light_from(const Surface& surface, const Reflection& reflection
         world_.bounces == 0
             ? 1.0
             : passing({start_beside(surface.position, surface.geometric), glm::vec3(drawn.direction)});
-    return way > 0.0 ? (way * weight / drawn.density) * value * world_.environment->radiance(drawn.direction)
+    return way > 0.0 ? (way * weight / drawn.density) * value * world_.environment->radiance_at(drawn.place)
                      : glm::dvec3(0.0);
 }
 
@@ -182,8 +182,9 @@ glm::dvec3 Path::escaped(const glm::dvec3& direction) const
     if (!world_.environment || world_.strategy == Strategy::lights_only)
         return glm::dvec3(0.0);
     const bool alone = world_.strategy == Strategy::reflections_only;
-    const double weight = alone ? 1.0 : weight_of(density_, world_.environment->density(direction));
-    return weight * throughput_ * world_.environment->radiance(direction);
+    const glm::dvec2 place = world_.environment->place_of(direction);
+    const double weight = alone ? 1.0 : weight_of(density_, world_.environment->density_at(place));
+    return weight * throughput_ * world_.environment->radiance_at(place);
 }
 
 bool Path::survives(int bounce)

@@ -97,7 +97,7 @@ std::array<double, 4> Sampler::next4()
 {
     const std::uint32_t seed = mixed(sequence_, ++dimension_);
     // The order of the points is scrambled too, or the dimensions would go in step.
-    const std::uint32_t shuffled = reversed(owen_scrambled(reversed(index_), seed));
+    const std::uint32_t shuffled = owen_scrambled(index_, seed);
     const std::array<std::uint32_t, 4> point = sobol(shuffled);
     std::array<double, 4> u;
     for (std::uint32_t d = 0; d < 4; ++d)
