@@ -25,6 +25,7 @@ struct Words {
     std::string exposure, contrast, tone, space;
     std::string backend, threads, stats, sun, turbidity;
     std::string bounces, spp, noise, time, seed;
+    std::string heat_kind, clamp, max_flip, max_relative;
     std::vector<std::string> lights;
     bool quiet = false, verbose = false, no_cache = false, no_compensation = false;
 };
@@ -279,6 +280,24 @@ ReferenceArguments finished(const Words& words, ReferenceArguments arguments)
     return arguments;
 }
 
+CompareArguments finished(const Words& words, CompareArguments arguments)
+{
+    arguments.common = common_options(words);
+    if (!words.exposure.empty())
+        arguments.exposure = positive(words.exposure, "--exposure");
+    if (!words.clamp.empty())
+        arguments.clamp = positive(words.clamp, "--clamp");
+    if (!words.heat_kind.empty())
+        arguments.heat_kind = choose<HeatKind>(
+            words.heat_kind, "--heat",
+            {{"flip", HeatKind::flip}, {"relative", HeatKind::relative}, {"absolute", HeatKind::absolute}});
+    if (!words.max_flip.empty())
+        arguments.max_flip = parse_number(words.max_flip, "--max-flip");
+    if (!words.max_relative.empty())
+        arguments.max_relative = parse_number(words.max_relative, "--max-rel");
+    return arguments;
+}
+
 EnvArguments finished(const Words& words, EnvArguments arguments)
 {
     arguments.common = common_options(words);
@@ -310,10 +329,12 @@ struct Grammar {
     Words words;
     RenderArguments render;
     ReferenceArguments reference;
+    CompareArguments compare;
     EnvArguments env;
     InfoArguments info;
     CLI::App* render_command = nullptr;
     CLI::App* reference_command = nullptr;
+    CLI::App* compare_command = nullptr;
     CLI::App* env_command = nullptr;
     CLI::App* info_command = nullptr;
 
@@ -325,6 +346,7 @@ struct Grammar {
                    "'lambent COMMAND --help' lists a command's options.");
         add_render();
         add_reference();
+        add_compare();
         add_env();
         add_info();
     }
@@ -353,6 +375,28 @@ struct Grammar {
                "Also write the variance of each value: .exr or .hdr");
         command.add_flag("--uniform", reference.uniform,
                          "As many samples for every pixel; so with --spp alone");
+    }
+
+    void add_compare()
+    {
+        compare_command =
+            app.add_subcommand("compare", "How far a picture is off another: numbers and a heat map");
+        CLI::App& command = *compare_command;
+        command.add_option("image", compare.image, "The picture: .exr .hdr .png .jpg")
+            ->type_name("IMAGE")
+            ->required();
+        command.add_option("reference", compare.reference, "What it should be, of the same size and kind")
+            ->type_name("REFERENCE")
+            ->required();
+        command.add_option("-o,--output", compare.heat, "A map of the differences: .png .jpg")
+            ->type_name("FILE");
+        option(command, "--heat", words.heat_kind, "KIND",
+               "What the map shows: flip, relative, absolute (flip)");
+        option(command, "--exposure", words.exposure, "E", "Light: factor on both before anything else (1)");
+        option(command, "--clamp", words.clamp, "X", "Cut both to [0, X] first");
+        option(command, "--max-flip", words.max_flip, "X", "Exit code 1 if the mean FLIP is above");
+        option(command, "--max-rel", words.max_relative, "X", "Exit code 1 if the relative RMSE is above");
+        add_common(command, words);
     }
 
     // What every command that makes a picture of a scene understands.
@@ -401,6 +445,8 @@ struct Grammar {
             return finished(words, render);
         if (reference_command->parsed())
             return finished(words, reference);
+        if (compare_command->parsed())
+            return finished(words, compare);
         if (env_command->parsed())
             return finished(words, env);
         info.common = common_options(words);

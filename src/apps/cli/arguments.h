@@ -48,6 +48,21 @@ struct ReferenceArguments {
     std::string variance; ///< file; empty: none
 };
 
+/// What the heat map of a comparison shows.
+enum class HeatKind { flip, relative, absolute };
+
+struct CompareArguments {
+    CommonOptions common;
+    std::string image;
+    std::string reference;
+    std::string heat; ///< file; empty: none
+    HeatKind heat_kind = HeatKind::flip;
+    float exposure = 1.0f;          ///< factor on light before anything else
+    std::optional<float> clamp;     ///< both are cut to [0, clamp] first
+    std::optional<double> max_flip; ///< above it the exit code is 1
+    std::optional<double> max_relative;
+};
+
 struct EnvArguments {
     CommonOptions common;
     std::string name;
@@ -66,7 +81,8 @@ struct PrintText {
     std::string text;
 };
 
-using Arguments = std::variant<PrintText, RenderArguments, ReferenceArguments, EnvArguments, InfoArguments>;
+using Arguments = std::variant<PrintText, RenderArguments, ReferenceArguments, CompareArguments, EnvArguments,
+                               InfoArguments>;
 
 /// Throws Error(usage) with one line for whatever is wrong.
 Arguments parse_arguments(int count, const char* const* words);

@@ -6,20 +6,25 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <type_traits>
 #include <variant>
 
 namespace {
 
 using namespace lambent;
 
-void run(const cli::Arguments& arguments)
+// Returns the exit code.
+int run(const cli::Arguments& arguments)
 {
-    std::visit(
+    return std::visit(
         [](const auto& command) {
             if constexpr (requires { command.text; })
                 std::fputs(command.text.c_str(), stdout);
-            else
+            else if constexpr (std::is_void_v<decltype(cli::run(command))>)
                 cli::run(command);
+            else
+                return cli::run(command);
+            return 0;
         },
         arguments);
 }
@@ -35,9 +40,9 @@ int fail(Failure failure, const char* line)
 int main(int count, char** words)
 {
     try {
-        run(cli::parse_arguments(count, words));
+        const int code = run(cli::parse_arguments(count, words));
         // A full disk or a closed pipe shows only here.
-        return std::fflush(stdout) == 0 ? 0 : fail(Failure::cannot_write, "standard output: cannot write");
+        return std::fflush(stdout) == 0 ? code : fail(Failure::cannot_write, "standard output: cannot write");
     } catch (const Error& error) {
         return fail(error.failure(), error.what());
     } catch (const std::bad_alloc&) {
