@@ -117,7 +117,7 @@ void add_view(CLI::App& app, RenderArguments& arguments, Words& words)
 void add_light(CLI::App& app, RenderArguments& arguments, Words& words)
 {
     option(app, "--env", arguments.environment, "ENV",
-           "A panorama (.hdr, .exr), or studio, sky, furnace, none (studio)");
+           "A panorama (.hdr, .exr), or kitchen, studio, sky, furnace, none (kitchen)");
     option(app, "--env-rotation", words.rotation, "DEG", "Turn the environment about the vertical (0)");
     option(app, "--background", words.background, "KIND", "env, none, R,G,B or blur:ROUGHNESS (env)");
     app.add_option("--light", words.lights,
@@ -419,9 +419,9 @@ struct Grammar {
     {
         env_command = app.add_subcommand("env", "Write a built-in environment");
         CLI::App& command = *env_command;
-        command.add_option("name", env.name, "studio, sky or furnace")->type_name("NAME")->required();
+        command.add_option("name", env.name, "kitchen, studio, sky or furnace")->type_name("NAME")->required();
         add_output(command, env.output, "The panorama: .hdr or .exr");
-        option(command, "--size", words.size, "WxH", "Size in texels, twice as wide as high (1024x512)");
+        option(command, "--size", words.size, "WxH", "Size in texels, twice as wide as high (1024x512; kitchen 2048x1024)");
         option(command, "--sun", words.sun, "AZ,EL",
                "sky: where the sun stands, degrees, as --camera (-46,40)");
         option(command, "--turbidity", words.turbidity, "T", "sky: haze, 1.5 to 10 (2.2)");

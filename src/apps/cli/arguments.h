@@ -25,7 +25,7 @@ struct CommonOptions {
 struct RenderArguments {
     CommonOptions common;
     std::string scene;
-    std::string environment = "studio";
+    std::string environment = "kitchen";
     std::string output;
     std::string layers; ///< folder; empty: none
     draw::Settings settings;
