@@ -366,7 +366,7 @@ struct Grammar {
         add_picture(command, reference.picture);
         option(command, "--bounces", words.bounces, "N",
                "Bounces of light; 0: direct light without shadows, 1: with shadows (8)");
-        option(command, "--spp", words.spp, "N", "Stop at N samples per pixel");
+        option(command, "--spp", words.spp, "N", "Stop at N samples per pixel (1024, if no limit is given)");
         option(command, "--noise", words.noise, "REL",
                "Stop at this estimated relative error (0.01, if no limit is given)");
         option(command, "--time", words.time, "S", "Stop after S seconds");

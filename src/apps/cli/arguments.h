@@ -42,7 +42,7 @@ struct ReferenceArguments {
     int bounces = 8;
     std::optional<int> samples;    ///< per pixel; unset: no limit
     std::optional<double> noise;   ///< estimated relative RMSE
-    std::optional<double> seconds; ///< none of the three: noise 0.01
+    std::optional<double> seconds; ///< none of the three: noise 0.01 or 1024 samples
     bool uniform = false;          ///< as many samples for every pixel
     std::uint32_t seed = 0;
     std::string variance; ///< file; empty: none
