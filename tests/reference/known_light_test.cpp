@@ -127,6 +127,36 @@ TEST(KnownLight, ASmallSunIsADirectionalLight)
     }
 }
 
+// A square of side 2 h at height d over a matte point under its middle: radiance L times the form factor
+// 4 / (2 pi) (2 h' / sqrt(1 + h'^2) atan(h' / sqrt(1 + h'^2))), h' = h / d, of four right-angled quarters.
+// [Howell 2010, configuration factor B-4]
+TEST(KnownLight, AShiningSquareOverAMattePoint)
+{
+    const double half = 0.7, height = 0.5, ratio = half / height, root = std::sqrt(1.0 + ratio * ratio);
+    const double factor = 4.0 / (2.0 * pi) * 2.0 * ratio / root * std::atan(ratio / root);
+    scene::Scene scene;
+    add(scene, facing_square(0.01f), matte(0.5f));
+    scene::Material light = metallic(glm::vec3(0.0f), 1.0f, 1.0f);
+    light.emissive = glm::vec3(2.0f);
+    // Its front looks down; from above, where the camera is, it is not there.
+    add(scene, facing_square(static_cast<float>(half)), light,
+        glm::rotate(glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, 0.0f, height)), 3.14159265f,
+                    glm::vec3(0, 1, 0)));
+    Settings settings = front_view(4, 0.002f, 4096);
+    settings.model = view::Model::phong;
+    settings.bounces = 1;
+    const double edge = height / std::hypot(height, half * std::sqrt(2.0)); // the least cosine: the corners'
+    const double highlight = highlight_under([&](double cosine) { return cosine > edge ? 2.0 : 0.0; }, 50.0);
+    for (Strategy strategy : {Strategy::both, Strategy::lights_only, Strategy::reflections_only}) {
+        settings.strategy = strategy;
+        const Mean m = mean_of(trace(scene, nullptr, settings));
+        EXPECT_NEAR(m.value, 0.5 * 2.0 * factor, highlight + most_sigmas * m.error)
+            << static_cast<int>(strategy);
+        EXPECT_LT(m.error, 0.005);
+        EXPECT_LT(highlight, 0.002);
+    }
+}
+
 // Inside a closed white sphere that shines with Le, everything that is reflected comes back: Le (N + 1) after N bounces.
 // With walls of black and white squares there would be less. Long paths end at random: that must not show.
 TEST(KnownLight, InsideAShiningWhiteSphereEachBounceAddsTheSame)
