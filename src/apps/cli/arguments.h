@@ -48,6 +48,22 @@ struct ReferenceArguments {
     std::string variance; ///< file; empty: none
 };
 
+/// Which error the heat map shows.
+enum class Heat { flip, relative, absolute };
+
+struct CompareArguments {
+    CommonOptions common;
+    std::string picture;
+    std::string reference;
+    std::string output; ///< the heat map; empty: none
+    Heat heat = Heat::flip;
+    std::optional<float> exposure; ///< linear light only
+    std::optional<float> clamp;    ///< cut to [0, this], after the exposure
+    double pixels_per_degree = 67.0;
+    std::optional<double> max_flip; ///< bounds that make it exit 1
+    std::optional<double> max_relative;
+};
+
 struct EnvArguments {
     CommonOptions common;
     std::string name;
@@ -66,7 +82,8 @@ struct PrintText {
     std::string text;
 };
 
-using Arguments = std::variant<PrintText, RenderArguments, ReferenceArguments, EnvArguments, InfoArguments>;
+using Arguments = std::variant<PrintText, RenderArguments, ReferenceArguments, CompareArguments, EnvArguments,
+                               InfoArguments>;
 
 /// Throws Error(usage) with one line for whatever is wrong.
 Arguments parse_arguments(int count, const char* const* words);
