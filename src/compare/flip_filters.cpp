@@ -26,7 +26,7 @@ constexpr double least_weight = 1e-10;
 // Weights given for the offsets -n to n.
 using Weights = std::vector<double>;
 
-Filter finished(const Weights& weights)
+Filter finished(const Weights& weights, Shape shape = Shape::even)
 {
     const double largest = std::fabs(*std::max_element(
         weights.begin(), weights.end(), [](double p, double q) { return std::fabs(p) < std::fabs(q); }));
@@ -34,6 +34,7 @@ Filter finished(const Weights& weights)
     while (2 * cut + 1 < weights.size() && std::fabs(weights[cut]) < least_weight * largest)
         ++cut;
     Filter filter;
+    filter.shape = shape;
     filter.radius = static_cast<int>((weights.size() - 1) / 2 - cut);
     for (std::size_t i = cut; i < weights.size() - cut; ++i)
         filter.weights.push_back(static_cast<float>(weights[i]));
@@ -102,9 +103,10 @@ void add_feature_filters(double pixels_per_degree, FlipFilters& filters)
     const int radius = static_cast<int>(std::ceil(3.0 * deviation));
     const auto gaussian = [&](double i) { return std::exp(-i * i / (2.0 * deviation * deviation)); };
     filters.smooth = finished(normalised(tabulated(radius, gaussian)));
-    filters.edge = finished(normalised(tabulated(radius, [&](double i) { return -i * gaussian(i); })));
-    filters.point = finished(normalised(
-        tabulated(radius, [&](double i) { return (i * i / (deviation * deviation) - 1.0) * gaussian(i); })));
+    const auto slope = [&](double i) { return -i * gaussian(i); };
+    const auto curvature = [&](double i) { return (i * i / (deviation * deviation) - 1.0) * gaussian(i); };
+    filters.edge = finished(normalised(tabulated(radius, slope)), Shape::odd);
+    filters.point = finished(normalised(tabulated(radius, curvature)), Shape::zero_sum);
     filters.radius = std::max(filters.radius, radius);
 }
 

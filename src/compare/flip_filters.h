@@ -9,8 +9,16 @@
 
 namespace lambent::compare {
 
+/// What the two weights at the same distance have in common.
+enum class Shape {
+    even,     ///< they are equal
+    odd,      ///< one is the other's negative
+    zero_sum, ///< they are equal, and all weights add up to 0
+};
+
 /// Weights for the offsets -radius to radius.
 struct Filter {
+    Shape shape = Shape::even;
     int radius = 0;
     std::vector<float> weights; ///< 2 * radius + 1
 };

@@ -54,16 +54,30 @@ private:
     Row first_, second_;
 };
 
-// out += share * filter applied at the places of `in`, which begins at the first output's.
-void along(const float* __restrict in, const Filter& filter, int count, float* __restrict out)
+// A filter at many places at once: out += share * (weights times values). `values(offset)` points to the values at that
+// offset from the places. Weights at the same distance are applied together, which halves the products and, above all,
+// leaves exactly nothing of even light where weights add up to 0: FLIP takes a square root of what is left.
+template <class Values>
+void add_filtered(const Filter& filter, float share, int count, const Values& values, float* __restrict out)
 {
-    std::fill_n(out, count, 0.0f);
-    for (int k = -filter.radius; k <= filter.radius; ++k) {
-        // A convolution: the weight of offset k meets the pixel at -k.
-        const float weight = filter.weights[index(k + filter.radius)];
-        const float* shifted = in - k;
+    const auto weight = [&](int k) { return share * filter.weights[index(k + filter.radius)]; };
+    const float* middle = values(0);
+    if (filter.shape == Shape::even)
         for (int x = 0; x < count; ++x)
-            out[x] += weight * shifted[x];
+            out[x] += weight(0) * middle[x];
+    for (int k = 1; k <= filter.radius; ++k) {
+        // A convolution: the weight of offset k meets the value at -k.
+        const float w = weight(k);
+        const float *before = values(-k), *after = values(k);
+        if (filter.shape == Shape::even)
+            for (int x = 0; x < count; ++x)
+                out[x] += w * (before[x] + after[x]);
+        else if (filter.shape == Shape::odd)
+            for (int x = 0; x < count; ++x)
+                out[x] += w * (before[x] - after[x]);
+        else
+            for (int x = 0; x < count; ++x)
+                out[x] += w * ((before[x] - middle[x]) + (after[x] - middle[x]));
     }
 }
 
@@ -106,7 +120,10 @@ void Seen::read_row(const image::RadianceImage& picture, const Shown& shown, int
 void Seen::filter_row(int y)
 {
     const auto put = [&](Plane plane, const Row& in, const Filter& filter) {
-        along(in.data() + border_, filter, tile_.width, row(plane, y));
+        float* out = row(plane, y);
+        std::fill_n(out, tile_.width, 0.0f);
+        add_filtered(
+            filter, 1.0f, tile_.width, [&](int k) { return in.data() + border_ + k; }, out);
     };
     put(achromatic, light_, filters_.achromatic);
     put(red_green, reddish_, filters_.red_green);
@@ -120,13 +137,8 @@ void Seen::filter_row(int y)
 // out += share * the plane filtered along columns at the row y_.
 void Seen::down(Plane plane, const Filter& filter, float share, Row& out) const
 {
-    for (int k = -filter.radius; k <= filter.radius; ++k) {
-        const float weight = share * filter.weights[index(k + filter.radius)];
-        const float* __restrict in = row(plane, y_ - k);
-        float* __restrict sum = out.data();
-        for (int x = 0; x < tile_.width; ++x)
-            sum[x] += weight * in[x];
-    }
+    add_filtered(
+        filter, share, tile_.width, [&](int k) { return row(plane, y_ + k); }, out.data());
 }
 
 void Seen::find_row(int y)
