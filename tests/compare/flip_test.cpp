@@ -23,7 +23,7 @@ double at(const ErrorMap& map, int x, int y)
 }
 
 // Features enter by a square root, at which a float's last bit can be seen in the third digit.
-constexpr double pixel_tolerance = 1e-3, mean_tolerance = 2e-5;
+constexpr double pixel_tolerance = 1e-4, mean_tolerance = 1e-6;
 
 void expect_near(const ErrorMap& map, const std::vector<double>& errors)
 {
