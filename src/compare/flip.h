@@ -1,35 +1,37 @@
-// FLIP: how much of a difference people see who flip between two pictures.
+// FLIP: how different two pictures look to someone who flips between them.
+//
+// LDR-FLIP: Andersson et al. 2020, "FLIP: A Difference Evaluator for Alternating Images", HPG.
+// HDR-FLIP: Andersson et al. 2021, "Visualizing Errors in Rendered High Dynamic Range Images", Eurographics.
 #pragma once
 
-#include "compare/plane.h"
-#include "image/image.h"
+#include "compare/difference.h"
+#include "compare/error_map.h"
+#include "compare/flip_exposures.h"
+#include "compare/flip_filters.h"
+
+#include <functional>
 
 namespace lambent::compare {
 
-/// 0.7 m from a 3840 pixels wide screen of 0.7 m: what the paper's figures are made for.
-constexpr double usual_pixels_per_degree = 67.0;
+/// Told the share that is done, from 0 to 1, by one thread at a time.
+using Progress = std::function<void(float)>;
 
-/// Perceived difference of each pixel, 0 to 1, of two pictures in linear sRGB colour as displayed, [0, 1].
-/// [Andersson et al. 2020, "FLIP: A Difference Evaluator for Alternating Images", HPG]
-Plane flip(const image::RadianceImage& picture, const image::RadianceImage& reference,
-           double pixels_per_degree = usual_pixels_per_degree);
-
-/// Exposures in stops, factors 2^e on the light.
-struct Exposures {
-    double start = 0.0, stop = 0.0;
-    int count = 0;
+struct FlipSettings {
+    double pixels_per_degree = usual_pixels_per_degree;
+    Progress progress; ///< may be empty
 };
 
-/// Those at which the reference's brightest and its median luminance are shown at 0.85, and whole stops between.
-/// [Andersson et al. 2021, section 3.2]
-Exposures exposures_for(const image::RadianceImage& reference);
+/// Errors from 0 (no difference to be seen) to 1, between pictures that hold sRGB codes in [0, 1]. Symmetric.
+/// Throws std::invalid_argument for pictures of different size.
+ErrorMap ldr_flip(const Pair& pair, const FlipSettings& settings = {});
 
-/// HDR-FLIP of linear light: the largest FLIP over the exposures, each shown through a filmic tone curve.
-/// [Andersson et al. 2021, "Visualizing Errors in Rendered High Dynamic Range Images", Eurographics short papers]
-Plane hdr_flip(const image::RadianceImage& picture, const image::RadianceImage& reference,
-               double pixels_per_degree = usual_pixels_per_degree);
+struct HdrFlip {
+    ErrorMap map;
+    Exposures exposures;
+};
 
-/// Mean of all values.
-double mean(const Plane& plane);
+/// The same for linear light: the largest LDR-FLIP error at any exposure that makes sense for the reference. Not
+/// symmetric; the same whatever both pictures are multiplied with.
+HdrFlip hdr_flip(const Pair& pair, const FlipSettings& settings = {});
 
 } // namespace lambent::compare

@@ -1,113 +1,119 @@
 #include "compare/heat_map.h"
 
+#include "compare/color_map.h"
 #include "compare/pixel_font.h"
+
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
-#include <numbers>
 
 namespace lambent::compare {
 namespace {
 
-// The bar and its figures, at the scale of the text.
-constexpr int bar_height = 8, gap = 4, ticks = 4;
+constexpr int ticks = 5;
+constexpr Code paper = {24, 24, 24}, ink = {235, 235, 235};
 
-std::string figure(double value)
+// Of the legend, in pixels at scale 1.
+constexpr int margin = 6, gap = 4, bar_height = 10, tick_height = 3, least_width = 220;
+
+std::string number(double value)
 {
-    char word[32];
-    std::snprintf(word, sizeof word, "%.3g", value);
-    return word;
+    char words[32];
+    std::snprintf(words, sizeof words, "%.3g", value);
+    return words;
 }
 
-void set(image::CodeImage& image, int x, int y, const HeatColor& color)
+struct Layout {
+    int scale, width, map_height, title_y, bar_y, number_y, height;
+
+    int left() const { return margin * scale; }
+    int bar_width() const { return width - 2 * margin * scale; }
+};
+
+Layout layout_of(const ErrorMap& map)
 {
-    std::uint8_t* out =
-        image.bytes.data() + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
-                                  static_cast<std::size_t>(x));
-    out[0] = color.r, out[1] = color.g, out[2] = color.b;
+    Layout layout{};
+    layout.scale = std::clamp(map.width / 640, 1, 8);
+    layout.width = std::max(map.width, least_width);
+    layout.map_height = map.height;
+    const int s = layout.scale;
+    layout.title_y = map.height + margin * s;
+    layout.bar_y = layout.title_y + (letter_height + gap) * s;
+    layout.number_y = layout.bar_y + (bar_height + tick_height + 2) * s;
+    layout.height = layout.number_y + (letter_height + margin) * s;
+    return layout;
 }
 
-void draw_legend(image::CodeImage& image, int top, int scale, const Legend& legend)
+void put(image::CodeImage& image, int x, int y, const Code& color)
 {
-    const int left = gap * scale, width = std::max(image.width - 2 * left, 1);
-    for (int y = 0; y < bar_height * scale; ++y)
-        for (int x = 0; x < std::min(width, image.width - left); ++x)
-            set(image, left + x, top + gap * scale + y,
-                heat_color(static_cast<float>(x) / static_cast<float>(std::max(width - 1, 1))));
-    const int figures = top + (2 * gap + bar_height) * scale;
-    for (int tick = 0; tick <= ticks; ++tick) {
-        const std::string word = figure(static_cast<double>(legend.most) * tick / ticks);
-        const int size = (text_width(word) - 1) * scale;
-        const int x =
-            std::clamp(left + width * tick / ticks - size / 2, left, std::max(left, left + width - size));
-        write_text(image, {x, figures, scale}, word);
+    const std::size_t pixel =
+        static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x);
+    std::copy(color.begin(), color.end(), image.bytes.begin() + static_cast<std::ptrdiff_t>(3 * pixel));
+}
+
+void draw_bar(image::CodeImage& image, const Layout& layout)
+{
+    const int s = layout.scale, last = layout.bar_width() - 1;
+    for (int x = 0; x <= last; ++x)
+        for (int y = 0; y < bar_height * s; ++y)
+            put(image, layout.left() + x, layout.bar_y + y,
+                color_of(static_cast<float>(x) / static_cast<float>(last)));
+    for (int i = 0; i < ticks; ++i)
+        for (int x = 0; x < s; ++x)
+            for (int y = 0; y < tick_height * s; ++y)
+                put(image, layout.left() + (layout.bar_width() - s) * i / (ticks - 1) + x,
+                    layout.bar_y + bar_height * s + y, ink);
+}
+
+void draw_numbers(image::CodeImage& image, const Layout& layout, double top)
+{
+    for (int i = 0; i < ticks; ++i) {
+        const std::string words = number(top * i / (ticks - 1));
+        const int width = text_width(words, layout.scale);
+        const int tick = layout.left() + layout.bar_width() * i / (ticks - 1);
+        const int x = std::clamp(tick - width / 2, layout.left(), layout.left() + layout.bar_width() - width);
+        draw_text(image, words, {x, layout.number_y, layout.scale}, ink);
     }
-    write_text(image, {left, figures + (glyph_height + gap) * scale, scale},
-               legend.title + "  mean " + figure(legend.mean));
-}
-
-template <class Value>
-Plane difference(const image::RadianceImage& picture, const image::RadianceImage& reference,
-                 const Value& value)
-{
-    Plane plane(picture.width, picture.height);
-    for (int y = 0; y < plane.height; ++y)
-        for (int x = 0; x < plane.width; ++x) {
-            const float *a = picture.pixel(x, y), *b = reference.pixel(x, y);
-            const float most =
-                std::max({std::fabs(a[0] - b[0]), std::fabs(a[1] - b[1]), std::fabs(a[2] - b[2])});
-            plane.row(y)[x] = value(most, b);
-        }
-    return plane;
 }
 
 } // namespace
 
-HeatColor heat_color(float value)
+image::CodeImage heat_map(const ErrorMap& map, const HeatLegend& legend)
 {
-    constexpr double start = 0.5, turns = -1.5, saturation = 1.0;
-    const double t = std::clamp(static_cast<double>(value), 0.0, 1.0);
-    const double amplitude = saturation * t * (1.0 - t) / 2.0;
-    const double angle = 2.0 * std::numbers::pi * (start / 3.0 + 1.0 + turns * t);
-    const double cosine = std::cos(angle), sine = std::sin(angle);
-    const auto code = [&](double along, double aside) {
-        const double v = t + amplitude * (along * cosine + aside * sine);
-        return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(v, 0.0, 1.0)));
-    };
-    return {code(-0.14861, 1.78277), code(-0.29227, -0.90649), code(1.97294, 0.0)};
-}
-
-image::CodeImage heat_map(const Plane& values, const Legend& legend)
-{
-    const int scale = std::clamp(values.width / 400, 1, 8);
-    const int legend_height = scale * (4 * gap + bar_height + 2 * glyph_height);
-    image::CodeImage image{values.width, values.height + legend_height, 3, 8, {}};
-    image.bytes.resize(3 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
-    for (int y = 0; y < values.height; ++y)
-        for (int x = 0; x < values.width; ++x)
-            set(image, x, y, heat_color(values.row(y)[x] / legend.most));
-    draw_legend(image, values.height, scale, legend);
+    const Layout layout = layout_of(map);
+    image::CodeImage image{layout.width, layout.height, 3, 8, {}};
+    image.bytes.assign(static_cast<std::size_t>(layout.width) * static_cast<std::size_t>(layout.height) * 3,
+                       paper[0]);
+    const auto factor = static_cast<float>(1.0 / legend.top);
+    tbb::parallel_for(0, map.height, [&](int y) {
+        const float* row =
+            map.values.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width);
+        for (int x = 0; x < map.width; ++x)
+            put(image, x, y, color_of(row[x] * factor));
+    });
+    const std::string mean = "mean " + number(legend.mean);
+    draw_text(image, legend.title, {layout.left(), layout.title_y, layout.scale}, ink);
+    const int right = layout.left() + layout.bar_width() - text_width(mean, layout.scale);
+    draw_text(image, mean, {right, layout.title_y, layout.scale}, ink);
+    draw_bar(image, layout);
+    draw_numbers(image, layout, legend.top);
     return image;
 }
 
-Plane relative_difference(const image::RadianceImage& picture, const image::RadianceImage& reference)
+double round_top(const ErrorMap& map)
 {
-    double sum = 0.0;
-    for (int y = 0; y < reference.height; ++y)
-        for (int x = 0; x < reference.width; ++x)
-            for (int c = 0; c < 3; ++c)
-                sum += static_cast<double>(reference.pixel(x, y)[c]);
-    const float floor =
-        static_cast<float>(std::max(0.01 * sum / (3.0 * reference.width * reference.height), 1e-20));
-    return difference(picture, reference, [floor](float most, const float* b) {
-        return most / ((b[0] + b[1] + b[2]) / 3.0f + floor);
-    });
-}
-
-Plane absolute_difference(const image::RadianceImage& picture, const image::RadianceImage& reference)
-{
-    return difference(picture, reference, [](float most, const float*) { return most; });
+    const auto largest = std::max_element(map.values.begin(), map.values.end());
+    if (largest == map.values.end() || !(*largest > 0.0f))
+        return 1.0;
+    const double value = static_cast<double>(*largest);
+    const double power = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double step : {1.0, 2.0, 5.0})
+        if (value <= step * power * (1.0 + 1e-6))
+            return step * power;
+    return 10.0 * power;
 }
 
 } // namespace lambent::compare

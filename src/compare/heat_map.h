@@ -1,34 +1,24 @@
-// A picture of where two pictures differ.
+// A map of errors as a picture with a legend.
 #pragma once
 
-#include "compare/plane.h"
+#include "compare/error_map.h"
 #include "image/image.h"
 
 #include <string>
 
 namespace lambent::compare {
 
-/// The colour of a value from 0 to 1, 8-bit sRGB: from black to white, each step brighter to the eye than the one before.
-/// [Green 2011, "A colour scheme for the display of astronomical intensity images": cubehelix]
-struct HeatColor {
-    std::uint8_t r, g, b;
-};
-HeatColor heat_color(float value);
-
-/// What the legend says.
-struct Legend {
-    std::string title; ///< capitals, figures and signs of pixel_font.h
-    float most = 1.0f; ///< the value at the end of the colour bar; larger ones get its colour
-    double mean = 0.0;
+struct HeatLegend {
+    std::string title; ///< what is shown
+    double top = 1.0;  ///< the value of the lightest colour, above 0
+    double mean = 0.0; ///< written beside the title
 };
 
-/// The values in colour, and below them a bar with its scale, the title and the mean.
-image::CodeImage heat_map(const Plane& values, const Legend& legend);
+/// 8-bit RGB: the map, pixel by pixel, and below it a bar of all colours with the numbers they stand for. As wide as the
+/// map, or as the legend where that is wider.
+image::CodeImage heat_map(const ErrorMap& map, const HeatLegend& legend);
 
-/// |a - b| / (mean of the reference's channels + a hundredth of the picture's mean), the largest of three channels.
-Plane relative_difference(const image::RadianceImage& picture, const image::RadianceImage& reference);
-
-/// |a - b|, the largest of three channels.
-Plane absolute_difference(const image::RadianceImage& picture, const image::RadianceImage& reference);
+/// The smallest of 1, 2, 5 times a power of ten that is not below the largest value; 1 where all are 0.
+double round_top(const ErrorMap& map);
 
 } // namespace lambent::compare

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <limits>
 
 namespace lambent {
@@ -16,118 +18,170 @@ namespace {
 using testing::Folder;
 using testing::Outcome;
 
-std::string write_light(const Folder& folder, const std::string& name, float value, int width = 40)
+// Grey light that grows from left to right, times a factor.
+std::string write_light(const Folder& folder, const std::string& name, float factor, int width = 40)
 {
-    image::RadianceImage image{width, 20, 3, {}};
-    image.values.assign(static_cast<std::size_t>(width) * 60, value);
-    image::write_radiance(image, folder.path(name));
+    image::RadianceImage light{width, 20, 3, {}};
+    for (int i = 0; i < width * 20; ++i)
+        light.values.insert(light.values.end(), 3, factor * static_cast<float>(1 + i % width));
+    image::write_radiance(light, folder.path(name));
     return folder.path(name);
 }
 
-std::string write_grey(const Folder& folder, const std::string& name, std::uint8_t code)
+std::string write_codes(const Folder& folder, const std::string& name, std::uint8_t code)
 {
-    image::CodeImage image{40, 20, 3, 8, std::vector<std::uint8_t>(2400, code)};
-    image::write_codes(image, folder.path(name));
+    image::write_codes({30, 10, 3, 8, std::vector<std::uint8_t>(900, code)}, folder.path(name));
     return folder.path(name);
 }
 
-void expect_failure(const Outcome& outcome, int code, const std::string& part)
+nlohmann::json json_of(const Outcome& outcome, int code = 0)
 {
     EXPECT_EQ(outcome.code, code) << outcome.error;
+    EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 1) << outcome.output;
+    return nlohmann::json::parse(outcome.output);
+}
+
+void expect_refused(const std::vector<std::string>& words, int code, const std::string& part)
+{
+    const Outcome outcome = lambent(words);
+    EXPECT_EQ(outcome.code, code) << outcome.error;
     EXPECT_EQ(outcome.error.rfind("lambent: error: ", 0), 0u) << outcome.error;
-    EXPECT_NE(outcome.error.find(part), std::string::npos) << outcome.error;
     EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1) << outcome.error;
+    EXPECT_NE(outcome.error.find(part), std::string::npos) << outcome.error;
+    EXPECT_EQ(outcome.output, "");
 }
 
-TEST(Compare, PrintsTheNumbers)
+TEST(Compare, LightIsMeasuredAsItIs)
 {
     const Folder folder;
-    const std::string a = write_light(folder, "a.exr", 3.0f), b = write_light(folder, "b.exr", 2.0f);
+    const std::string a = write_light(folder, "a.exr", 1.1f), b = write_light(folder, "b.exr", 1.0f);
     const Outcome outcome = lambent({"compare", a, b});
-    ASSERT_EQ(outcome.code, 0) << outcome.error;
-    const nlohmann::json json = nlohmann::json::parse(outcome.output);
-    EXPECT_DOUBLE_EQ(json["rmse"], 1.0);
-    EXPECT_DOUBLE_EQ(json["relative_rmse"], 0.5);
-    EXPECT_NEAR(json["psnr"].get<double>(), 6.0206, 1e-4); // 20 log10(2)
-    EXPECT_DOUBLE_EQ(json["max"], 1.0);
-    EXPECT_GT(json["flip"].get<double>(), 0.0);
-    EXPECT_EQ(json["kind"], "light");
+    EXPECT_EQ(outcome.error, "");
+    const nlohmann::json json = json_of(outcome);
+    // The mean of 1 to 40 and of their squares, by the sums' formulas.
+    const double mean = 20.5, mean_square = 41.0 * 81.0 / 6.0;
+    EXPECT_NEAR(json["rmse"].get<double>(), 0.1 * std::sqrt(mean_square), 1e-5);
+    EXPECT_NEAR(json["relative_rmse"].get<double>(), 0.1 * std::sqrt(mean_square) / mean, 1e-6);
+    EXPECT_NEAR(json["psnr"].get<double>(), 20.0 * std::log10(40.0 / (0.1 * std::sqrt(mean_square))), 1e-4);
+    EXPECT_NEAR(json["max"].get<double>(), 4.0, 1e-5);
+    EXPECT_GT(json["flip"].get<double>(), 0.01);
+    EXPECT_LT(json["flip"].get<double>(), 0.5);
     EXPECT_EQ(json["width"], 40);
+    EXPECT_EQ(json["height"], 20);
+    EXPECT_EQ(json["kind"], "linear");
+    EXPECT_EQ(json["flip_exposures"]["count"], 2);
 }
 
-TEST(Compare, EqualPicturesHaveNoPsnr)
+TEST(Compare, CodesAreMeasuredFromZeroToOne)
 {
     const Folder folder;
-    const std::string a = write_grey(folder, "a.png", 100);
-    const nlohmann::json json = nlohmann::json::parse(lambent({"compare", a, a}).output);
+    const std::string a = write_codes(folder, "a.png", 255), b = write_codes(folder, "b.png", 0);
+    const nlohmann::json json = json_of(lambent({"compare", a, b}));
+    EXPECT_EQ(json["rmse"], 1.0);
+    EXPECT_EQ(json["psnr"], 0.0);
+    EXPECT_NEAR(json["flip"].get<double>(), 0.967380, 2e-6);
+    EXPECT_EQ(json["kind"], "srgb");
+    EXPECT_TRUE(json["relative_rmse"].is_null());
+}
+
+TEST(Compare, EqualPicturesHaveNoFinitePsnr)
+{
+    const Folder folder;
+    const std::string a = write_light(folder, "a.hdr", 1.0f);
+    const nlohmann::json json = json_of(lambent({"compare", a, a, "--max-flip", "0", "--max-rel", "0"}));
     EXPECT_TRUE(json["psnr"].is_null());
-    EXPECT_EQ(json["flip"], 0.0);
-    EXPECT_EQ(json["kind"], "codes");
+    for (const char* key : {"rmse", "relative_rmse", "flip", "max"})
+        EXPECT_EQ(json[key], 0.0) << key;
 }
 
-TEST(Compare, ClampAndExposureComeFirst)
+TEST(Compare, ExposureComesBeforeClamp)
 {
     const Folder folder;
-    const std::string a = write_light(folder, "a.exr", 3.0f), b = write_light(folder, "b.hdr", 2.0f);
-    const auto rmse = [&](std::vector<std::string> more) {
-        more.insert(more.begin(), {"compare", a, b});
-        return nlohmann::json::parse(lambent(more).output)["rmse"].get<double>();
-    };
-    EXPECT_DOUBLE_EQ(rmse({"--clamp", "1"}), 0.0);
-    EXPECT_DOUBLE_EQ(rmse({"--clamp", "2.5"}), 0.5);
-    EXPECT_DOUBLE_EQ(rmse({"--exposure", "4"}), 4.0);
-    EXPECT_DOUBLE_EQ(rmse({"--exposure", "0.25", "--clamp", "0.625"}), 0.125);
+    const std::string a = write_light(folder, "a.exr", 1.5f), b = write_light(folder, "b.exr", 1.0f);
+    // Only the leftmost column is below 1.5 after a factor of a half: 0.75 and 0.5; the second is 1.5 and 1.
+    const nlohmann::json json = json_of(lambent({"compare", a, b, "--exposure", "0.5", "--clamp", "1.5"}));
+    EXPECT_NEAR(json["max"].get<double>(), 0.5, 1e-6);
+    EXPECT_NEAR(json["rmse"].get<double>(), std::sqrt((0.25 * 0.25 + 0.5 * 0.5) / 40.0), 1e-6);
+    EXPECT_NEAR(json["psnr"].get<double>(), 20.0 * std::log10(1.5 / json["rmse"].get<double>()), 1e-6);
+    expect_refused(
+        {"compare", write_codes(folder, "a.png", 1), write_codes(folder, "b.png", 2), "--exposure", "2"}, 2,
+        "--exposure");
 }
 
-TEST(Compare, BoundsDecideTheExitCode)
+TEST(Compare, BoundsGiveExitCodeOneAndTheJson)
 {
     const Folder folder;
-    const std::string a = write_light(folder, "a.exr", 3.0f), b = write_light(folder, "b.exr", 2.0f);
-    EXPECT_EQ(lambent({"compare", a, b, "--max-rel", "0.5", "--max-flip", "1"}).code, 0);
-    const Outcome over = lambent({"compare", a, b, "--max-rel", "0.49"});
-    expect_failure(over, 1, "relative RMSE 0.5 is above the bound of 0.49");
-    EXPECT_TRUE(nlohmann::json::accept(over.output)); // the numbers all the same
-    expect_failure(lambent({"compare", a, b, "--max-flip", "0.000001"}), 1, "FLIP");
+    const std::string a = write_light(folder, "a.exr", 1.1f), b = write_light(folder, "b.exr", 1.0f);
+    const Outcome over = lambent({"compare", a, b, "--max-rel", "0.1", "--max-flip", "0.9"});
+    EXPECT_GT(json_of(over, 1)["relative_rmse"].get<double>(), 0.1);
+    EXPECT_EQ(over.error.rfind("lambent: error: ", 0), 0u);
+    EXPECT_EQ(std::count(over.error.begin(), over.error.end(), '\n'), 1);
+    EXPECT_NE(over.error.find("--max-rel"), std::string::npos);
+    EXPECT_EQ(over.error.find("--max-flip"), std::string::npos);
+    const Outcome both = lambent({"compare", a, b, "--max-rel", "0.1", "--max-flip", "0.001"});
+    EXPECT_EQ(both.code, 1);
+    EXPECT_NE(both.error.find("--max-rel"), std::string::npos);
+    EXPECT_NE(both.error.find("--max-flip"), std::string::npos);
+    EXPECT_EQ(lambent({"compare", a, b, "--max-rel", "0.2", "--max-flip", "0.9"}).code, 0);
 }
 
-TEST(Compare, WhatCannotBeComparedIsRefused)
+TEST(Compare, HeatMapsAreWritten)
 {
     const Folder folder;
-    const std::string a = write_light(folder, "a.exr", 1.0f),
-                      wide = write_light(folder, "wide.exr", 1.0f, 60);
-    const std::string codes = write_grey(folder, "codes.png", 100), heat = folder.path("heat.png");
-    expect_failure(lambent({"compare", a, wide, "-o", heat}), 3, "is 40x20 and");
-    expect_failure(lambent({"compare", a, codes, "-o", heat}), 3, "holds linear light");
-    expect_failure(lambent({"compare", a, folder.path("missing.exr")}), 3, "missing.exr");
-    expect_failure(lambent({"compare", a, a, "-o", folder.path("heat.exr")}), 2, "a heat map's name");
-    expect_failure(lambent({"compare", codes, codes, "--exposure", "2"}), 2, "--exposure");
-    expect_failure(lambent({"compare", a, a, "--heat", "warm"}), 2, "none of flip");
-    EXPECT_EQ(folder.names().size(), 3u);
-}
-
-TEST(Compare, WritesHeatMapsOfEachKind)
-{
-    const Folder folder;
-    const std::string a = write_light(folder, "a.exr", 3.0f), b = write_light(folder, "b.exr", 2.0f);
-    for (const char* kind : {"flip", "relative", "absolute"}) {
-        const std::string heat = folder.path(std::string(kind) + ".png");
-        ASSERT_EQ(lambent({"compare", a, b, "-o", heat, "--heat", kind}).code, 0);
-        const image::CodeImage map = image::read_codes(heat);
-        EXPECT_EQ(map.width, 40);
-        EXPECT_GT(map.height, 20);
-        EXPECT_GT(map.bytes[0], 20) << kind; // there is a difference in the corner
+    const std::string a = write_light(folder, "a.exr", 1.1f), b = write_light(folder, "b.exr", 1.0f);
+    for (const char* heat : {"flip", "relative", "absolute"}) {
+        const std::string output = folder.path(std::string(heat) + ".png");
+        json_of(lambent({"compare", a, b, "-o", output, "--heat", heat}));
+        const image::ImageInfo info = image::inspect(output);
+        EXPECT_GE(info.width, 40);
+        EXPECT_GT(info.height, 20);
     }
+    EXPECT_EQ(folder.names().size(), 5u);
 }
 
-TEST(Compare, BrokenValuesAreCountedAndWarnedOf)
+TEST(Compare, OtherSizesAndKindsAreBadInputAndLeaveNoMap)
 {
     const Folder folder;
-    image::RadianceImage image{4, 4, 3, std::vector<float>(48, 1.0f)};
-    image.values[7] = std::numeric_limits<float>::quiet_NaN();
-    image::write_radiance(image, folder.path("nan.exr"));
-    const Outcome outcome = lambent({"compare", folder.path("nan.exr"), folder.path("nan.exr")});
-    EXPECT_EQ(outcome.code, 0);
-    EXPECT_NE(outcome.error.find("1 values are not finite"), std::string::npos) << outcome.error;
+    const std::string a = write_light(folder, "a.exr", 1.0f), wide = write_light(folder, "w.exr", 1.0f, 41);
+    const std::string codes = write_codes(folder, "c.png", 9), output = folder.path("heat.png");
+    expect_refused({"compare", a, wide, "-o", output}, 3, "41x20");
+    expect_refused({"compare", a, codes, "-o", output}, 3, "srgb");
+    expect_refused({"compare", a, folder.path("none.exr"), "-o", output}, 3, "none.exr");
+    write_bytes(folder.path("broken.exr"), "no picture at all");
+    expect_refused({"compare", folder.path("broken.exr"), a, "-o", output}, 3, "broken.exr");
+    EXPECT_FALSE(std::filesystem::exists(output));
+}
+
+TEST(Compare, WhatCannotBeWrittenIsSaidBeforeTheWork)
+{
+    const Folder folder;
+    const std::string a = write_light(folder, "a.exr", 1.0f);
+    expect_refused({"compare", a, a, "-o", folder.path("no/heat.png")}, 5, "heat.png");
+    expect_refused({"compare", a, a, "-o", folder.path("heat.exr")}, 2, ".png or .jpg");
+    EXPECT_EQ(folder.names().size(), 1u);
+}
+
+TEST(Compare, BadUsage)
+{
+    expect_refused({"compare", "a.exr"}, 2, "reference");
+    expect_refused({"compare", "a.exr", "b.exr", "--heat", "flip"}, 2, "--heat");
+    expect_refused({"compare", "a.exr", "b.exr", "-o", "x.png", "--heat", "warm"}, 2, "warm");
+    expect_refused({"compare", "a.exr", "b.exr", "--clamp", "0"}, 2, "--clamp");
+    expect_refused({"compare", "a.exr", "b.exr", "--max-flip", "-1"}, 2, "--max-flip");
+    expect_refused({"compare", "a.exr", "b.exr", "--max-rel", "much"}, 2, "--max-rel");
+    expect_refused({"compare", "a.exr", "b.exr", "--ppd", "0.1"}, 2, "--ppd");
+}
+
+TEST(Compare, NanIsWarnedOfAndQuietIsQuiet)
+{
+    const Folder folder;
+    const std::string a = folder.path("a.exr"), b = folder.path("b.exr");
+    image::write_radiance({2, 1, 3, {std::numeric_limits<float>::quiet_NaN(), 1, 1, 1, 1, 1}}, a);
+    image::write_radiance({2, 1, 3, {1, 1, 1, 1, 1, 1}}, b);
+    const Outcome outcome = lambent({"compare", a, b});
+    EXPECT_EQ(json_of(outcome)["max"], 1.0);
+    EXPECT_EQ(outcome.error.rfind("lambent: warning: ", 0), 0u) << outcome.error;
+    EXPECT_EQ(lambent({"compare", a, b, "--quiet"}).error, "");
 }
 
 } // namespace

@@ -4,206 +4,238 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
-namespace lambent::compare::testing {
+namespace lambent::compare::test {
 namespace {
 
-using Color = std::array<double, 3>;
-using Picture = std::vector<Color>;
+constexpr double pi = std::numbers::pi;
 
-constexpr double pi = 3.14159265358979323846;
+using Triple = std::array<double, 3>;
+using Triples = std::vector<Triple>;
+
+double srgb_to_light(double code)
+{
+    return code > 0.04045 ? std::pow((code + 0.055) / 1.055, 2.4) : code / 12.92;
+}
+
+// IEC 61966-2-1 to four more digits than its table, and what the white comes to.
+Triple light_to_xyz(const Triple& c)
+{
+    return {0.412386564 * c[0] + 0.357591436 * c[1] + 0.180450467 * c[2],
+            0.212636903 * c[0] + 0.715183011 * c[1] + 0.072180086 * c[2],
+            0.019330625 * c[0] + 0.119197239 * c[1] + 0.950372508 * c[2]};
+}
+constexpr Triple white = {0.950428467, 1.0, 1.088900372};
+
+Triple xyz_to_light(const Triple& c)
+{
+    return {3.241003275 * c[0] - 1.537398934 * c[1] - 0.498615861 * c[2],
+            -0.969224334 * c[0] + 1.875930071 * c[1] + 0.041554224 * c[2],
+            0.055639423 * c[0] - 0.204011202 * c[1] + 1.057148933 * c[2]};
+}
+
+Triple ycxcz(const Triple& light)
+{
+    const Triple xyz = light_to_xyz(light);
+    const double x = xyz[0] / white[0], y = xyz[1], z = xyz[2] / white[2];
+    return {116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)};
+}
+
+Triple ycxcz_to_light(const Triple& c)
+{
+    const double y = (c[0] + 16.0) / 116.0;
+    return xyz_to_light({(y + c[1] / 500.0) * white[0], y, (y - c[2] / 200.0) * white[2]});
+}
+
+Triple hunt_lab(const Triple& light)
+{
+    const Triple xyz = light_to_xyz(light);
+    Triple f{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double t = xyz[i] / white[i];
+        f[i] = t > std::pow(6.0 / 29.0, 3.0) ? std::cbrt(t) : t / (3.0 * 36.0 / 841.0) + 4.0 / 29.0;
+    }
+    const double lightness = 116.0 * f[1] - 16.0;
+    return {lightness, 0.01 * lightness * 500.0 * (f[0] - f[1]), 0.01 * lightness * 200.0 * (f[1] - f[2])};
+}
+
+double hyab(const Triple& p, const Triple& q)
+{
+    return std::fabs(p[0] - q[0]) + std::hypot(p[1] - q[1], p[2] - q[2]);
+}
 
 struct Size {
     int width, height;
-};
 
-// sRGB's matrix from the chromaticities of its primaries and D65, solved here instead of copied.
-struct Matrix {
-    double m[3][3];
-
-    Color operator*(const Color& v) const
+    std::size_t nearest(int x, int y) const
     {
-        Color r{};
-        for (std::size_t i = 0; i < 3; ++i)
-            for (std::size_t j = 0; j < 3; ++j)
-                r[i] += m[i][j] * v[j];
-        return r;
+        x = std::clamp(x, 0, width - 1);
+        y = std::clamp(y, 0, height - 1);
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
     }
 };
 
-Matrix inverse(const Matrix& a)
+// The sum of weights times the values around a pixel; transposed: x and y of the weights exchanged.
+double filtered(const Triples& values, const Size& size, std::size_t channel, const Square& square, int x,
+                int y, bool transposed = false)
 {
-    Matrix r{};
-    const auto minor = [&](int i, int j) {
-        const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-        return a.m[i1][j1] * a.m[i2][j2] - a.m[i1][j2] * a.m[i2][j1];
+    double sum = 0.0;
+    for (int dy = -square.radius; dy <= square.radius; ++dy)
+        for (int dx = -square.radius; dx <= square.radius; ++dx)
+            sum += (transposed ? square.at(dy, dx) : square.at(dx, dy)) *
+                   values[size.nearest(x + dx, y + dy)][channel];
+    return sum;
+}
+
+struct Filters {
+    Square achromatic, red_green, blue_yellow, edge, point;
+};
+
+// Hunt-adjusted colour, strength of edges, of points.
+struct Seen {
+    Triple color;
+    double edge, point;
+};
+
+Seen seen(const Triples& opponent, const Size& size, const Filters& f, int x, int y)
+{
+    Triple light = ycxcz_to_light({filtered(opponent, size, 0, f.achromatic, x, y),
+                                   filtered(opponent, size, 1, f.red_green, x, y),
+                                   filtered(opponent, size, 2, f.blue_yellow, x, y)});
+    for (double& part : light)
+        part = std::clamp(part, 0.0, 1.0);
+    const auto strength = [&](const Square& square) {
+        return std::hypot(filtered(opponent, size, 0, square, x, y),
+                          filtered(opponent, size, 0, square, x, y, true)) /
+               116.0;
     };
-    const double determinant = a.m[0][0] * minor(0, 0) + a.m[0][1] * minor(0, 1) + a.m[0][2] * minor(0, 2);
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-            r.m[i][j] = minor(j, i) / determinant;
-    return r;
+    return {hunt_lab(light), strength(f.edge), strength(f.point)};
 }
 
-Color xyz_of(double x, double y)
+double error_between(const Seen& p, const Seen& q)
 {
-    return {x / y, 1.0, (1.0 - x - y) / y};
+    const double largest = std::pow(hyab(hunt_lab({0, 1, 0}), hunt_lab({0, 0, 1})), 0.7),
+                 bend = 0.4 * largest;
+    const double power = std::pow(hyab(p.color, q.color), 0.7);
+    const double color = power < bend ? 0.95 * power / bend : 0.95 + 0.05 * (power - bend) / (largest - bend);
+    const double feature = std::max(std::fabs(p.edge - q.edge), std::fabs(p.point - q.point));
+    return std::pow(color, 1.0 - std::pow(feature / std::numbers::sqrt2, 0.5));
 }
 
-Matrix rgb_to_xyz()
+std::vector<double> flip_of_light(const Triples& picture, const Triples& reference, const Size& size,
+                                  double pixels_per_degree)
 {
-    const Color r = xyz_of(0.64, 0.33), g = xyz_of(0.30, 0.60), b = xyz_of(0.15, 0.06);
-    Matrix primaries{};
-    for (std::size_t i = 0; i < 3; ++i)
-        primaries.m[i][0] = r[i], primaries.m[i][1] = g[i], primaries.m[i][2] = b[i];
-    const Color shares = inverse(primaries) * xyz_of(0.3127, 0.3290);
-    for (auto& row : primaries.m)
-        for (std::size_t j = 0; j < 3; ++j)
-            row[j] *= shares[j];
-    return primaries;
+    const Filters f = {naive_contrast_filter(Channel::achromatic, pixels_per_degree),
+                       naive_contrast_filter(Channel::red_green, pixels_per_degree),
+                       naive_contrast_filter(Channel::blue_yellow, pixels_per_degree),
+                       naive_feature_filter(false, pixels_per_degree),
+                       naive_feature_filter(true, pixels_per_degree)};
+    Triples p, q;
+    std::transform(picture.begin(), picture.end(), std::back_inserter(p), ycxcz);
+    std::transform(reference.begin(), reference.end(), std::back_inserter(q), ycxcz);
+    std::vector<double> errors;
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x)
+            errors.push_back(error_between(seen(p, size, f, x, y), seen(q, size, f, x, y)));
+    return errors;
 }
 
-Color relative(const Color& rgb)
+Triples triples(const image::RadianceImage& picture, const std::function<double(double)>& change)
 {
-    static const Matrix to_xyz = rgb_to_xyz();
-    const Color v = to_xyz * rgb, white = to_xyz * Color{1.0, 1.0, 1.0};
-    return {v[0] / white[0], v[1] / white[1], v[2] / white[2]};
+    Triples values;
+    for (std::size_t i = 0; i < picture.values.size(); i += 3)
+        values.push_back({change(static_cast<double>(picture.values[i])),
+                          change(static_cast<double>(picture.values[i + 1])),
+                          change(static_cast<double>(picture.values[i + 2]))});
+    return values;
 }
 
-Color opponent(const Color& rgb)
+double aces(double light)
 {
-    const Color v = relative(rgb);
-    return {116.0 * v[1] - 16.0, 500.0 * (v[0] - v[1]), 200.0 * (v[1] - v[2])};
+    const double x = 0.6 * std::max(light, 0.0);
+    return std::clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0);
 }
 
-Color linear(const Color& c)
+// By halving, where the curve reaches 0.85.
+double light_shown_as_0_85()
 {
-    static const Matrix to_xyz = rgb_to_xyz(), to_rgb = inverse(to_xyz);
-    const Color white = to_xyz * Color{1.0, 1.0, 1.0};
-    const double y = (c[0] + 16.0) / 116.0;
-    return to_rgb * Color{(y + c[1] / 500.0) * white[0], y * white[1], (y - c[2] / 200.0) * white[2]};
-}
-
-Color hunt_lab(const Color& rgb)
-{
-    const Color v = relative(rgb);
-    const auto f = [](double t) {
-        return t > 216.0 / 24389.0 ? std::cbrt(t) : (24389.0 / 27.0 * t + 16.0) / 116.0;
-    };
-    const double L = 116.0 * f(v[1]) - 16.0;
-    return {L, 0.01 * L * 500.0 * (f(v[0]) - f(v[1])), 0.01 * L * 200.0 * (f(v[1]) - f(v[2]))};
-}
-
-double hyab_power(const Color& a, const Color& b)
-{
-    return std::pow(std::fabs(a[0] - b[0]) + std::hypot(a[1] - b[1], a[2] - b[2]), 0.7);
-}
-
-// A kernel of two dimensions at pixel offsets, made to sum to 1 (or to 1 and -1 where it has both signs).
-struct Square {
-    int radius;
-    std::vector<double> weights;
-
-    Square(int r, const std::function<double(int, int)>& weight) : radius(r)
-    {
-        double above = 0.0, below = 0.0;
-        for (int y = -r; y <= r; ++y)
-            for (int x = -r; x <= r; ++x) {
-                weights.push_back(weight(x, y));
-                (weights.back() > 0.0 ? above : below) += weights.back();
-            }
-        for (double& w : weights)
-            w /= w > 0.0 ? above : below < 0.0 ? -below : 1.0;
-    }
-
-    double at(const Size& size, int px, int py, const std::function<double(std::size_t)>& value) const
-    {
-        double sum = 0.0;
-        std::size_t i = 0;
-        for (int y = -radius; y <= radius; ++y)
-            for (int x = -radius; x <= radius; ++x, ++i) {
-                const int cx = std::clamp(px + x, 0, size.width - 1),
-                          cy = std::clamp(py + y, 0, size.height - 1);
-                sum += weights[i] * value(static_cast<std::size_t>(cy * size.width + cx));
-            }
-        return sum;
-    }
-};
-
-struct Eye {
-    double a1, b1, a2, b2;
-};
-
-Square eye_filter(const Eye& e, double ppd)
-{
-    const int radius = static_cast<int>(std::ceil(3.0 * std::sqrt(0.04 / (2.0 * pi * pi)) * ppd));
-    return Square(radius, [&](int x, int y) {
-        const double d2 = (x * x + y * y) / (ppd * ppd);
-        return e.a1 * std::sqrt(pi / e.b1) * std::exp(-pi * pi * d2 / e.b1) +
-               e.a2 * std::sqrt(pi / e.b2) * std::exp(-pi * pi * d2 / e.b2);
-    });
-}
-
-Picture opponents(const image::RadianceImage& image)
-{
-    Picture picture;
-    for (int y = 0; y < image.height; ++y)
-        for (int x = 0; x < image.width; ++x) {
-            const float* p = image.pixel(x, y);
-            picture.push_back(opponent({p[0], p[1], p[2]}));
-        }
-    return picture;
-}
-
-Color seen(const Picture& p, const Size& size, int x, int y, const std::array<Square, 3>& eyes)
-{
-    Color c;
-    for (std::size_t k = 0; k < 3; ++k)
-        c[k] = eyes[k].at(size, x, y, [&](std::size_t i) { return p[i][k]; });
-    c = linear(c);
-    for (double& v : c)
-        v = std::clamp(v, 0.0, 1.0);
-    return hunt_lab(c);
-}
-
-double feature(const Picture& p, const Size& size, int x, int y, const Square& across, const Square& down)
-{
-    const auto grey = [&](std::size_t i) { return (p[i][0] + 16.0) / 116.0; };
-    return std::hypot(across.at(size, x, y, grey), down.at(size, x, y, grey));
+    double low = 0.0, high = 100.0;
+    for (int i = 0; i < 200; ++i)
+        (aces(0.5 * (low + high)) < 0.85 ? low : high) = 0.5 * (low + high);
+    return low;
 }
 
 } // namespace
 
-std::vector<double> naive_flip(const image::RadianceImage& test, const image::RadianceImage& reference,
-                               double ppd)
+Square naive_contrast_filter(Channel channel, double pixels_per_degree)
 {
-    const Size size{test.width, test.height};
-    const Picture a = opponents(test), b = opponents(reference);
-    const std::array<Square, 3> eyes = {eye_filter({1.0, 0.0047, 0.0, 1e-5}, ppd),
-                                        eye_filter({1.0, 0.0053, 0.0, 1e-5}, ppd),
-                                        eye_filter({34.1, 0.04, 13.5, 0.025}, ppd)};
-    const double sd = 0.5 * 0.082 * ppd;
-    const int radius = static_cast<int>(std::ceil(3.0 * sd));
-    const auto g = [sd](int x, int y) { return std::exp(-(x * x + y * y) / (2.0 * sd * sd)); };
-    const Square edge_x(radius, [&](int x, int y) { return -x * g(x, y); });
-    const Square edge_y(radius, [&](int x, int y) { return -y * g(x, y); });
-    const Square point_x(radius, [&](int x, int y) { return (x * x / (sd * sd) - 1.0) * g(x, y); });
-    const Square point_y(radius, [&](int x, int y) { return (y * y / (sd * sd) - 1.0) * g(x, y); });
-    const double largest = hyab_power(hunt_lab({0.0, 1.0, 0.0}), hunt_lab({0.0, 0.0, 1.0})),
-                 limit = 0.4 * largest;
-    std::vector<double> result;
-    for (int y = 0; y < size.height; ++y)
-        for (int x = 0; x < size.width; ++x) {
-            const double d = hyab_power(seen(a, size, x, y, eyes), seen(b, size, x, y, eyes));
-            const double color = d < limit ? 0.95 * d / limit : 0.95 + 0.05 * (d - limit) / (largest - limit);
-            const double edges =
-                std::fabs(feature(a, size, x, y, edge_x, edge_y) - feature(b, size, x, y, edge_x, edge_y));
-            const double points = std::fabs(feature(a, size, x, y, point_x, point_y) -
-                                            feature(b, size, x, y, point_x, point_y));
-            const double shape = std::sqrt(std::clamp(std::max(edges, points) / std::sqrt(2.0), 0.0, 1.0));
-            result.push_back(std::pow(color, 1.0 - shape));
+    // a1, b1, a2, b2 of the paper's table 1.
+    const std::array<double, 4> table[3] = {
+        {1.0, 0.0047, 0.0, 1e-5}, {1.0, 0.0053, 0.0, 1e-5}, {34.1, 0.04, 13.5, 0.025}};
+    const auto [a1, b1, a2, b2] = table[static_cast<std::size_t>(channel)];
+    Square square;
+    square.radius = static_cast<int>(std::ceil(3.0 * std::sqrt(0.04 / (2.0 * pi * pi)) * pixels_per_degree));
+    double sum = 0.0;
+    for (int y = -square.radius; y <= square.radius; ++y)
+        for (int x = -square.radius; x <= square.radius; ++x) {
+            const double d2 = (x * x + y * y) / (pixels_per_degree * pixels_per_degree);
+            square.weights.push_back(a1 * std::sqrt(pi / b1) * std::exp(-pi * pi * d2 / b1) +
+                                     a2 * std::sqrt(pi / b2) * std::exp(-pi * pi * d2 / b2));
+            sum += square.weights.back();
         }
-    return result;
+    for (double& weight : square.weights)
+        weight /= sum;
+    return square;
 }
 
-} // namespace lambent::compare::testing
+Square naive_feature_filter(bool point, double pixels_per_degree)
+{
+    const double deviation = 0.5 * 0.082 * pixels_per_degree;
+    Square square;
+    square.radius = static_cast<int>(std::ceil(3.0 * deviation));
+    double negative = 0.0, positive = 0.0;
+    for (int y = -square.radius; y <= square.radius; ++y)
+        for (int x = -square.radius; x <= square.radius; ++x) {
+            const double gaussian = std::exp(-(x * x + y * y) / (2.0 * deviation * deviation));
+            const double weight = gaussian * (point ? x * x / (deviation * deviation) - 1.0 : -x);
+            square.weights.push_back(weight);
+            (weight < 0.0 ? negative : positive) += std::fabs(weight);
+        }
+    for (double& weight : square.weights)
+        weight /= weight < 0.0 ? negative : positive;
+    return square;
+}
+
+std::vector<double> naive_ldr_flip(const image::RadianceImage& picture, const image::RadianceImage& reference,
+                                   double pixels_per_degree)
+{
+    return flip_of_light(triples(picture, srgb_to_light), triples(reference, srgb_to_light),
+                         {picture.width, picture.height}, pixels_per_degree);
+}
+
+std::vector<double> naive_hdr_flip(const image::RadianceImage& picture, const image::RadianceImage& reference,
+                                   double pixels_per_degree)
+{
+    std::vector<double> luminance;
+    for (const Triple& c : triples(reference, [](double v) { return v; }))
+        luminance.push_back(0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]);
+    std::sort(luminance.begin(), luminance.end());
+    const std::size_t n = luminance.size();
+    const double median = 0.5 * (luminance[(n - 1) / 2] + luminance[n / 2]);
+    const double start = std::log2(light_shown_as_0_85() / luminance.back());
+    const double stop = std::log2(light_shown_as_0_85() / median);
+    const int count = std::max(2, static_cast<int>(std::ceil(stop - start)));
+    std::vector<double> worst(n);
+    for (int i = 0; i < count; ++i) {
+        const double factor = std::exp2(start + (stop - start) * i / (count - 1));
+        const auto shown = [factor](double light) { return aces(factor * light); };
+        const std::vector<double> errors = flip_of_light(triples(picture, shown), triples(reference, shown),
+                                                         {picture.width, picture.height}, pixels_per_degree);
+        for (std::size_t k = 0; k < n; ++k)
+            worst[k] = std::max(worst[k], errors[k]);
+    }
+    return worst;
+}
+
+} // namespace lambent::compare::test

@@ -27,9 +27,9 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"environment", {"base", "image", "equations", "wide"}},
     {"draw", {"base", "image", "scene", "view", "trace", "environment", "equations", "shading", "wide"}},
     {"reference", {"base", "image", "scene", "view", "trace", "environment", "equations", "shading"}},
-    {"compare", {"base", "image", "equations"}},
     {"display", {"image", "equations", "wide"}},
-    {"apps", {"base", "image", "scene", "view", "environment", "draw", "reference", "compare", "display"}},
+    {"compare", {"base", "image", "equations"}},
+    {"apps", {"base", "image", "scene", "view", "environment", "draw", "reference", "display", "compare"}},
 };
 
 std::string folder_of(const fs::path& path)

@@ -1,5 +1,7 @@
 #include "apps/cli/arguments.h"
 
+#include "apps/cli/compare_grammar.h"
+#include "apps/cli/grammar.h"
 #include "apps/cli/values.h"
 #include "apps/cli/version.h"
 #include "base/error.h"
@@ -9,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -18,91 +19,16 @@ namespace lambent::cli {
 namespace {
 
 // Words as given; CLI11 fills these, and an empty one was not given.
-struct Words {
+struct Words : CommonWords {
     std::string size, camera, fov, aa;
     std::string rotation, background, ambient, ibl, samples;
     std::string model, mip_level, alpha, kd, ks, density;
     std::string exposure, contrast, tone, space;
-    std::string backend, threads, stats, sun, turbidity;
+    std::string backend, sun, turbidity;
     std::string bounces, spp, noise, time, seed;
-    std::string heat_kind, clamp, max_flip, max_relative;
     std::vector<std::string> lights;
-    bool quiet = false, verbose = false, no_cache = false, no_compensation = false;
+    bool no_cache = false, no_compensation = false;
 };
-
-// The value that goes with a word. Throws Error(usage) with the words that would do.
-template <class Value>
-Value choose(const std::string& word, const std::string& option,
-             std::initializer_list<std::pair<const char*, Value>> choices)
-{
-    std::string known;
-    for (const auto& [name, value] : choices) {
-        if (word == name)
-            return value;
-        known += text(known.empty() ? "" : ", ", name);
-    }
-    throw Error(Failure::usage, text(option, ": '", word, "' is none of ", known));
-}
-
-float number_in(const std::string& word, const std::string& option, double least, double most)
-{
-    const double value = parse_number(word, option);
-    if (value < least || value > most)
-        throw Error(Failure::usage, text(option, ": ", word, " is not from ", least, " to ", most));
-    return static_cast<float>(value);
-}
-
-float positive(const std::string& word, const std::string& option)
-{
-    const float value = static_cast<float>(parse_number(word, option));
-    if (!(value > 0.0f))
-        throw Error(Failure::usage, text(option, ": ", word, " is not above 0"));
-    return value;
-}
-
-int whole_in(const std::string& word, const std::string& option, int least, int most)
-{
-    const double value = parse_number(word, option);
-    if (value < least || value > most || value != static_cast<double>(static_cast<int>(value)))
-        throw Error(Failure::usage,
-                    text(option, ": ", word, " is not a whole number from ", least, " to ", most));
-    return static_cast<int>(value);
-}
-
-void option(CLI::App& app, const std::string& name, std::string& word, const std::string& kind,
-            const std::string& help)
-{
-    const auto not_empty = [](const std::string& given) { return given.empty() ? "nothing given" : ""; };
-    app.add_option(name, word, help)
-        ->type_name(kind)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
-        ->check(not_empty);
-}
-
-void add_common(CLI::App& app, Words& words)
-{
-    option(app, "--threads", words.threads, "N", "Worker threads (one per processor)");
-    option(app, "--stats", words.stats, "json",
-           "Print what was done and how long it took, as one JSON object");
-    app.add_flag("--quiet", words.quiet, "No progress bar, no warnings");
-    app.add_flag("--verbose", words.verbose, "Say what is being done");
-}
-
-CommonOptions common_options(const Words& words)
-{
-    CommonOptions common;
-    if (words.quiet && words.verbose)
-        throw Error(Failure::usage, "--quiet and --verbose exclude each other");
-    if (words.quiet)
-        common.verbosity = Verbosity::quiet;
-    if (words.verbose)
-        common.verbosity = Verbosity::verbose;
-    if (!words.threads.empty())
-        common.threads = whole_in(words.threads, "--threads", 1, 1024);
-    if (!words.stats.empty())
-        common.stats_json = choose<bool>(words.stats, "--stats", {{"json", true}});
-    return common;
-}
 
 void add_view(CLI::App& app, RenderArguments& arguments, Words& words)
 {
@@ -280,24 +206,6 @@ ReferenceArguments finished(const Words& words, ReferenceArguments arguments)
     return arguments;
 }
 
-CompareArguments finished(const Words& words, CompareArguments arguments)
-{
-    arguments.common = common_options(words);
-    if (!words.exposure.empty())
-        arguments.exposure = positive(words.exposure, "--exposure");
-    if (!words.clamp.empty())
-        arguments.clamp = positive(words.clamp, "--clamp");
-    if (!words.heat_kind.empty())
-        arguments.heat_kind = choose<HeatKind>(
-            words.heat_kind, "--heat",
-            {{"flip", HeatKind::flip}, {"relative", HeatKind::relative}, {"absolute", HeatKind::absolute}});
-    if (!words.max_flip.empty())
-        arguments.max_flip = parse_number(words.max_flip, "--max-flip");
-    if (!words.max_relative.empty())
-        arguments.max_relative = parse_number(words.max_relative, "--max-rel");
-    return arguments;
-}
-
 EnvArguments finished(const Words& words, EnvArguments arguments)
 {
     arguments.common = common_options(words);
@@ -329,12 +237,11 @@ struct Grammar {
     Words words;
     RenderArguments render;
     ReferenceArguments reference;
-    CompareArguments compare;
     EnvArguments env;
     InfoArguments info;
+    CompareGrammar compare;
     CLI::App* render_command = nullptr;
     CLI::App* reference_command = nullptr;
-    CLI::App* compare_command = nullptr;
     CLI::App* env_command = nullptr;
     CLI::App* info_command = nullptr;
 
@@ -346,7 +253,7 @@ struct Grammar {
                    "'lambent COMMAND --help' lists a command's options.");
         add_render();
         add_reference();
-        add_compare();
+        compare.add(app);
         add_env();
         add_info();
     }
@@ -377,28 +284,6 @@ struct Grammar {
                          "As many samples for every pixel; so with --spp alone");
     }
 
-    void add_compare()
-    {
-        compare_command =
-            app.add_subcommand("compare", "How far a picture is off another: numbers and a heat map");
-        CLI::App& command = *compare_command;
-        command.add_option("image", compare.image, "The picture: .exr .hdr .png .jpg")
-            ->type_name("IMAGE")
-            ->required();
-        command.add_option("reference", compare.reference, "What it should be, of the same size and kind")
-            ->type_name("REFERENCE")
-            ->required();
-        command.add_option("-o,--output", compare.heat, "A map of the differences: .png .jpg")
-            ->type_name("FILE");
-        option(command, "--heat", words.heat_kind, "KIND",
-               "What the map shows: flip, relative, absolute (flip)");
-        option(command, "--exposure", words.exposure, "E", "Light: factor on both before anything else (1)");
-        option(command, "--clamp", words.clamp, "X", "Cut both to [0, X] first");
-        option(command, "--max-flip", words.max_flip, "X", "Exit code 1 if the mean FLIP is above");
-        option(command, "--max-rel", words.max_relative, "X", "Exit code 1 if the relative RMSE is above");
-        add_common(command, words);
-    }
-
     // What every command that makes a picture of a scene understands.
     void add_picture(CLI::App& command, RenderArguments& picture)
     {
@@ -419,9 +304,12 @@ struct Grammar {
     {
         env_command = app.add_subcommand("env", "Write a built-in environment");
         CLI::App& command = *env_command;
-        command.add_option("name", env.name, "kitchen, studio, sky or furnace")->type_name("NAME")->required();
+        command.add_option("name", env.name, "kitchen, studio, sky or furnace")
+            ->type_name("NAME")
+            ->required();
         add_output(command, env.output, "The panorama: .hdr or .exr");
-        option(command, "--size", words.size, "WxH", "Size in texels, twice as wide as high (1024x512; kitchen 2048x1024)");
+        option(command, "--size", words.size, "WxH",
+               "Size in texels, twice as wide as high (1024x512; kitchen 2048x1024)");
         option(command, "--sun", words.sun, "AZ,EL",
                "sky: where the sun stands, degrees, as --camera (-46,40)");
         option(command, "--turbidity", words.turbidity, "T", "sky: haze, 1.5 to 10 (2.2)");
@@ -445,8 +333,8 @@ struct Grammar {
             return finished(words, render);
         if (reference_command->parsed())
             return finished(words, reference);
-        if (compare_command->parsed())
-            return finished(words, compare);
+        if (compare.parsed())
+            return compare.result();
         if (env_command->parsed())
             return finished(words, env);
         info.common = common_options(words);

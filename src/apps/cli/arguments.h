@@ -48,18 +48,19 @@ struct ReferenceArguments {
     std::string variance; ///< file; empty: none
 };
 
-/// What the heat map of a comparison shows.
-enum class HeatKind { flip, relative, absolute };
+/// Which error the heat map shows.
+enum class Heat { flip, relative, absolute };
 
 struct CompareArguments {
     CommonOptions common;
-    std::string image;
+    std::string picture;
     std::string reference;
-    std::string heat; ///< file; empty: none
-    HeatKind heat_kind = HeatKind::flip;
-    float exposure = 1.0f;          ///< factor on light before anything else
-    std::optional<float> clamp;     ///< both are cut to [0, clamp] first
-    std::optional<double> max_flip; ///< above it the exit code is 1
+    std::string output; ///< the heat map; empty: none
+    Heat heat = Heat::flip;
+    std::optional<float> exposure; ///< linear light only
+    std::optional<float> clamp;    ///< cut to [0, this], after the exposure
+    double pixels_per_degree = 67.0;
+    std::optional<double> max_flip; ///< bounds that make it exit 1
     std::optional<double> max_relative;
 };
 

@@ -1,4 +1,4 @@
-// What each command does. All throw Error; those that return a number return the exit code.
+// What each command does. All throw Error.
 #pragma once
 
 #include "apps/cli/arguments.h"
@@ -7,7 +7,7 @@ namespace lambent::cli {
 
 void run(const RenderArguments& arguments);
 void run(const ReferenceArguments& arguments);
-int run(const CompareArguments& arguments);
+void run(const CompareArguments& arguments);
 void run(const EnvArguments& arguments);
 void run(const InfoArguments& arguments);
 

@@ -1,142 +1,163 @@
 #include "apps/cli/commands.h"
 #include "apps/cli/console.h"
 #include "apps/cli/stats.h"
+#include "apps/cli/stopwatch.h"
 #include "apps/cli/threads.h"
-#include "base/error.h"
 #include "base/file.h"
 #include "base/text.h"
-#include "compare/codes.h"
+#include "compare/difference.h"
 #include "compare/flip.h"
 #include "compare/heat_map.h"
-#include "compare/metrics.h"
+#include "compare/picture.h"
 #include "image/image_io.h"
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace lambent::cli {
 namespace {
 
-// A picture as it is compared: light, or codes from 0 to 1.
-struct Comparable {
-    image::RadianceImage values;
-    bool light = false;
+using Json = nlohmann::ordered_json;
+
+struct Findings {
+    compare::Difference difference;
+    compare::ErrorMap flip_map;
+    double flip = 0.0;
+    std::optional<compare::Exposures> exposures; ///< of HDR-FLIP
 };
 
-Comparable load(const std::string& path, Warnings& warnings)
+void check_heat_file(const std::string& path)
 {
-    const image::ImageInfo info = image::inspect(path);
-    Comparable c;
-    c.light = info.format == "Radiance HDR" || info.format == "OpenEXR";
-    if (c.light) {
-        c.values = image::read_radiance(path);
-        if (const std::uint64_t broken = compare::mend_values(c.values))
-            warnings.push_back(text(path, ": ", broken, " values are not finite and count as 0"));
-        return c;
-    }
-    c.values = compare::code_values(image::read_codes(path));
-    return c;
-}
-
-const char* kind_of(const Comparable& c)
-{
-    return c.light ? "linear light" : "display codes";
-}
-
-void check_alike(const CompareArguments& arguments, const Comparable& a, const Comparable& b)
-{
-    if (a.light != b.light)
-        throw Error(Failure::bad_input,
-                    text(arguments.image, " holds ", kind_of(a), " and ", arguments.reference, " ",
-                         kind_of(b), ": they cannot be compared"));
-    if (a.values.width != b.values.width || a.values.height != b.values.height)
-        throw Error(Failure::bad_input, text(arguments.image, " is ", a.values.width, "x", a.values.height,
-                                             " and ", arguments.reference, " ", b.values.width, "x",
-                                             b.values.height, ": they cannot be compared"));
-}
-
-void prepare(const CompareArguments& arguments, Comparable& c)
-{
-    if (arguments.exposure != 1.0f) {
-        if (!c.light)
-            throw Error(Failure::usage, "--exposure: only for linear light (.exr, .hdr)");
-        for (float& value : c.values.values)
-            value *= arguments.exposure;
-    }
-    if (arguments.clamp)
-        compare::clamp_values(c.values, *arguments.clamp);
-}
-
-compare::Plane flip_of(const Comparable& a, const Comparable& b)
-{
-    if (a.light)
-        return compare::hdr_flip(a.values, b.values);
-    return compare::flip(compare::light_of_codes(a.values), compare::light_of_codes(b.values));
-}
-
-void write_heat(const CompareArguments& arguments, const Comparable& a, const Comparable& b,
-                const compare::Plane& flip)
-{
-    if (arguments.heat.empty())
+    if (path.empty())
         return;
-    compare::Plane values = flip;
-    compare::Legend legend{a.light ? "HDR-FLIP" : "FLIP", 1.0f, 0.0};
-    if (arguments.heat_kind == HeatKind::relative) {
-        values = compare::relative_difference(a.values, b.values);
-        legend.title = "relative difference";
-    } else if (arguments.heat_kind == HeatKind::absolute) {
-        values = compare::absolute_difference(a.values, b.values);
-        legend.title = "absolute difference";
-        legend.most = std::max(*std::max_element(values.values.begin(), values.values.end()), 1e-20f);
-    }
-    legend.mean = compare::mean(values);
-    image::write_codes(compare::heat_map(values, legend), arguments.heat);
+    const image::FileKind kind = image::file_kind(path);
+    if (kind != image::FileKind::png && kind != image::FileKind::jpeg)
+        throw Error(Failure::usage, text(path, ": a heat map's name ends in .png or .jpg"));
+    check_can_write(path);
 }
 
-// JSON knows no infinity.
-nlohmann::ordered_json number(double value)
+compare::Pictures prepare(const CompareArguments& arguments, Warnings& warnings)
 {
-    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+    compare::Pictures pictures = compare::read_pictures(arguments.picture, arguments.reference, warnings);
+    if (arguments.exposure && pictures.kind == compare::Kind::srgb)
+        throw Error(Failure::usage, "--exposure: only for linear light, .exr or .hdr");
+    for (image::RadianceImage* picture : {&pictures.picture, &pictures.reference}) {
+        if (arguments.exposure)
+            compare::expose(*picture, *arguments.exposure);
+        if (arguments.clamp)
+            compare::clamp(*picture, *arguments.clamp);
+    }
+    return pictures;
+}
+
+// What counts as full signal: the largest code; for light where it was cut, else the reference's brightest.
+double peak_of(const CompareArguments& arguments, const compare::Pictures& pictures)
+{
+    if (pictures.kind == compare::Kind::srgb)
+        return 1.0;
+    return arguments.clamp ? static_cast<double>(*arguments.clamp)
+                           : compare::largest_value(pictures.reference);
+}
+
+Findings find(const CompareArguments& arguments, const compare::Pictures& pictures, Console& console)
+{
+    const compare::Pair pair{pictures.picture, pictures.reference};
+    const compare::FlipSettings settings{arguments.pixels_per_degree,
+                                         [&](float done) { console.progress(done); }};
+    Findings findings;
+    findings.difference = compare::difference(pair, peak_of(arguments, pictures));
+    if (pictures.kind == compare::Kind::srgb) {
+        findings.flip_map = compare::ldr_flip(pair, settings);
+    } else {
+        compare::HdrFlip flip = compare::hdr_flip(pair, settings);
+        findings.flip_map = std::move(flip.map);
+        findings.exposures = flip.exposures;
+    }
+    console.end_progress();
+    findings.flip = compare::mean(findings.flip_map);
+    return findings;
+}
+
+image::CodeImage draw_heat(Heat heat, const compare::Pictures& pictures, const Findings& findings)
+{
+    const compare::Pair pair{pictures.picture, pictures.reference};
+    if (heat == Heat::relative) {
+        const compare::ErrorMap map = compare::relative_error(pair);
+        return compare::heat_map(map, {"relative error", 1.0, compare::mean(map)});
+    }
+    if (heat == Heat::absolute) {
+        const compare::ErrorMap map = compare::absolute_error(pair);
+        return compare::heat_map(map, {"absolute error", compare::round_top(map), compare::mean(map)});
+    }
+    return compare::heat_map(findings.flip_map,
+                             {findings.exposures ? "HDR-FLIP" : "LDR-FLIP", 1.0, findings.flip});
+}
+
+// JSON has no infinity.
+Json finite(double value)
+{
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json describe(const compare::Pictures& pictures, const Findings& findings)
+{
+    Json json = {{"rmse", finite(findings.difference.rmse)},
+                 {"relative_rmse", finite(findings.difference.relative_rmse)},
+                 {"psnr", finite(findings.difference.psnr)},
+                 {"flip", findings.flip},
+                 {"max", finite(findings.difference.max)},
+                 {"width", pictures.picture.width},
+                 {"height", pictures.picture.height},
+                 {"kind", compare::name_of(pictures.kind)}};
+    if (findings.exposures)
+        json["flip_exposures"] = {{"start", findings.exposures->start},
+                                  {"stop", findings.exposures->stop},
+                                  {"count", findings.exposures->count}};
+    return json;
+}
+
+void check_bounds(const CompareArguments& arguments, const Findings& findings)
+{
+    std::string passed;
+    const auto check = [&](const char* what, double value, const char* option, std::optional<double> bound) {
+        if (bound && !(value <= *bound))
+            passed += text(passed.empty() ? "" : "; ", what, " ", value, " is above ", option, " ", *bound);
+    };
+    check("FLIP", findings.flip, "--max-flip", arguments.max_flip);
+    check("relative RMSE", findings.difference.relative_rmse, "--max-rel", arguments.max_relative);
+    if (!passed.empty())
+        throw Error(Failure::over_bound, text(arguments.picture, ": ", passed));
 }
 
 } // namespace
 
-int run(const CompareArguments& arguments)
+void run(const CompareArguments& arguments)
 {
-    if (!arguments.heat.empty()) {
-        const image::FileKind kind = image::file_kind(arguments.heat);
-        if (kind != image::FileKind::png && kind != image::FileKind::jpeg)
-            throw Error(Failure::usage, text(arguments.heat, ": a heat map's name ends in .png or .jpg"));
-        check_can_write(arguments.heat);
-    }
+    check_heat_file(arguments.output);
     const ThreadLimit limit(arguments.common.threads);
-    const Console console(arguments.common.verbosity);
+    Console console(arguments.common.verbosity);
+    Stopwatch watch;
     Warnings warnings;
-    Comparable a = load(arguments.image, warnings), b = load(arguments.reference, warnings);
+    const compare::Pictures pictures = prepare(arguments, warnings);
     console.warn(warnings);
-    check_alike(arguments, a, b);
-    prepare(arguments, a);
-    prepare(arguments, b);
-    const double peak = a.light ? static_cast<double>(compare::largest_value(b.values)) : 1.0;
-    const compare::Metrics metrics = compare::measure(a.values, b.values, peak);
-    const compare::Plane flip = flip_of(a, b);
-    const double mean_flip = compare::mean(flip);
-    write_heat(arguments, a, b, flip);
-    print({{"rmse", number(metrics.rmse)},
-           {"relative_rmse", number(metrics.relative_rmse)},
-           {"psnr", number(metrics.psnr)},
-           {"flip", number(mean_flip)},
-           {"max", number(metrics.max)},
-           {"kind", a.light ? "light" : "codes"},
-           {"width", a.values.width},
-           {"height", a.values.height}});
-    if (arguments.max_flip && mean_flip > *arguments.max_flip)
-        return console.over_bound("FLIP", mean_flip, *arguments.max_flip);
-    if (arguments.max_relative && !(metrics.relative_rmse <= *arguments.max_relative))
-        return console.over_bound("relative RMSE", metrics.relative_rmse, *arguments.max_relative);
-    return 0;
+    watch.lap("read");
+    const Findings findings = find(arguments, pictures, console);
+    watch.lap("compare");
+    if (!arguments.output.empty()) {
+        image::write_codes(draw_heat(arguments.heat, pictures, findings), arguments.output);
+        console.remark(text("wrote ", arguments.output));
+        watch.lap("write");
+    }
+    Json json = describe(pictures, findings);
+    if (arguments.common.stats_json)
+        add_cost(watch, json);
+    print(json);
+    // The result comes first: to be over a bound must not hide that it could not be said.
+    if (std::fflush(stdout) != 0)
+        throw Error(Failure::cannot_write, "standard output: cannot write");
+    check_bounds(arguments, findings);
 }
 
 } // namespace lambent::cli

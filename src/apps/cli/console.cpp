@@ -29,13 +29,6 @@ void Console::warn(const Warnings& warnings) const
         std::fprintf(stderr, "lambent: warning: %s\n", one_line(line).c_str());
 }
 
-int Console::over_bound(const std::string& metric, double value, double bound) const
-{
-    std::fprintf(stderr, "lambent: error: %s %.6g is above the bound of %.6g\n", metric.c_str(), value,
-                 bound);
-    return 1;
-}
-
 void Console::remark(const std::string& line) const
 {
     if (verbosity_ == Verbosity::verbose)

@@ -16,9 +16,6 @@ public:
     /// "lambent: warning: LINE", unless quiet.
     void warn(const Warnings& warnings) const;
 
-    /// Says that a comparison was over its bound; returns the exit code for that.
-    int over_bound(const std::string& metric, double value, double bound) const;
-
     /// A remark, only if verbose.
     void remark(const std::string& line) const;
 

@@ -6,25 +6,20 @@
 #include <cstdio>
 #include <exception>
 #include <new>
-#include <type_traits>
 #include <variant>
 
 namespace {
 
 using namespace lambent;
 
-// Returns the exit code.
-int run(const cli::Arguments& arguments)
+void run(const cli::Arguments& arguments)
 {
-    return std::visit(
+    std::visit(
         [](const auto& command) {
             if constexpr (requires { command.text; })
                 std::fputs(command.text.c_str(), stdout);
-            else if constexpr (std::is_void_v<decltype(cli::run(command))>)
-                cli::run(command);
             else
-                return cli::run(command);
-            return 0;
+                cli::run(command);
         },
         arguments);
 }
@@ -40,9 +35,9 @@ int fail(Failure failure, const char* line)
 int main(int count, char** words)
 {
     try {
-        const int code = run(cli::parse_arguments(count, words));
+        run(cli::parse_arguments(count, words));
         // A full disk or a closed pipe shows only here.
-        return std::fflush(stdout) == 0 ? code : fail(Failure::cannot_write, "standard output: cannot write");
+        return std::fflush(stdout) == 0 ? 0 : fail(Failure::cannot_write, "standard output: cannot write");
     } catch (const Error& error) {
         return fail(error.failure(), error.what());
     } catch (const std::bad_alloc&) {
