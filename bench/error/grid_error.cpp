@@ -87,7 +87,8 @@ void print_table(const char* what, const std::vector<Sum>& sums, double (Sum::*f
     std::printf("  mean %.2f %%\n", mean * 100.0);
 }
 
-void compare(const image::RadianceImage& picture, const std::vector<TruePixel>& truths, int samples, bool full)
+void compare(const image::RadianceImage& picture, const std::vector<TruePixel>& truths, int samples,
+             bool full)
 {
     std::vector<Sum> clipped(49), whole(49);
     for (const TruePixel& t : truths) {
@@ -101,8 +102,8 @@ void compare(const image::RadianceImage& picture, const std::vector<TruePixel>& 
             total += s.relative() / static_cast<double>(sums.size());
         return 100.0 * total;
     };
-    std::printf("  %4d samples: relative RMSE, mean of 49 spheres: %.2f %% clamped, %.2f %% unclamped\n", samples,
-                mean(clipped), mean(whole));
+    std::printf("  %4d samples: relative RMSE, mean of 49 spheres: %.2f %% clamped, %.2f %% unclamped\n",
+                samples, mean(clipped), mean(whole));
     if (!full)
         return;
     print_table("clamped, %", clipped, &Sum::relative);
@@ -115,8 +116,8 @@ void dump(const image::RadianceImage& picture, const std::vector<TruePixel>& tru
     for (const TruePixel& t : truths)
         if (t.sphere == sphere) {
             const glm::dvec3 d = pixel_of(picture, t.x, t.y), b = t.specular + t.diffuse;
-            std::printf("    (%d, %d) drawn %.4f %.4f %.4f true %.4f %.4f %.4f diffuse %.4f\n", t.x, t.y, d.x, d.y, d.z,
-                        b.x, b.y, b.z, t.diffuse.x);
+            std::printf("    (%d, %d) drawn %.4f %.4f %.4f true %.4f %.4f %.4f diffuse %.4f\n", t.x, t.y, d.x,
+                        d.y, d.z, b.x, b.y, b.z, t.diffuse.x);
         }
 }
 

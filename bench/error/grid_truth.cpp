@@ -159,7 +159,8 @@ public:
         constexpr int across = 8;
         for (int i = 0; i <= across; ++i)
             for (int j = 0; j <= across; ++j) {
-                const auto hit = meet(x + static_cast<double>(i) / across, y + static_cast<double>(j) / across);
+                const auto hit =
+                    meet(x + static_cast<double>(i) / across, y + static_cast<double>(j) / across);
                 if (!hit)
                     return false;
                 met.push_back(last_);
@@ -175,7 +176,8 @@ public:
 
     std::optional<Met> meet(double x, double y)
     {
-        const vec3 origin = to_vec(rays_.origin) + x * to_vec(rays_.origin_dx) + y * to_vec(rays_.origin_dy) - offset_;
+        const vec3 origin =
+            to_vec(rays_.origin) + x * to_vec(rays_.origin_dx) + y * to_vec(rays_.origin_dy) - offset_;
         const vec3 direction =
             to_vec(rays_.direction) + x * to_vec(rays_.direction_dx) + y * to_vec(rays_.direction_dy);
         double nearest = 1e30;
@@ -234,7 +236,8 @@ vec2 spread_point(std::uint64_t i)
 in_double::Metallic metallic_of(const scene::Material& m)
 {
     const double r = static_cast<double>(m.perceptual_roughness);
-    return {to_vec(glm::vec3(m.base_color)), static_cast<double>(m.metallic), std::max(r * r, least_alpha), 1.0};
+    return {to_vec(glm::vec3(m.base_color)), static_cast<double>(m.metallic), std::max(r * r, least_alpha),
+            1.0};
 }
 
 // What brdf_metallic multiplies its lobe by, as factors of Schlick's two parts.
@@ -268,7 +271,8 @@ vec3 by_lobe(const Light& light, const in_double::Metallic& m, const Met& met, s
     for (int i = 0; i < count; ++i) {
         const vec2 xi = spread_point(first + static_cast<std::uint64_t>(i) * step);
         const double phi = 2.0 * pi * xi.y;
-        const vec3 h = in_double::sample_visible_ggx(stretched, m.alpha, {xi.x, std::cos(phi), std::sin(phi)}).normal;
+        const vec3 h =
+            in_double::sample_visible_ggx(stretched, m.alpha, {xi.x, std::cos(phi), std::sin(phi)}).normal;
         const double VH = dot(view, h);
         const vec3 L = 2.0 * VH * h - view;
         if (L.z <= 0.0)
@@ -289,7 +293,8 @@ vec3 by_peaks(const std::vector<Light::Peak>& peaks, const in_double::Metallic& 
         if (NL <= 0.0)
             continue;
         const vec3 h = normalize(met.view + peak.direction);
-        const double NH = std::clamp(dot(met.normal, h), 0.0, 1.0), VH = std::clamp(dot(met.view, h), 0.0, 1.0);
+        const double NH = std::clamp(dot(met.normal, h), 0.0, 1.0),
+                     VH = std::clamp(dot(met.view, h), 0.0, 1.0);
         const double lobe = in_double::density_ggx(NH, m.alpha) * in_double::visibility_ggx(NL, NV, m.alpha);
         sum += (lobe * NL) * reflectance(gains, VH) * peak.light;
     }
@@ -311,7 +316,8 @@ Cells cells_of(const environment::Panorama& p)
                 for (int i = x; i < x + 4; ++i) {
                     const environment::Rgb c = p.radiance(i, j);
                     const vec3 d = environment::texel_solid_angle(p, j) *
-                                   in_double::direction_from_equirectangular({(i + 0.5) / p.width, (j + 0.5) / p.height});
+                                   in_double::direction_from_equirectangular(
+                                       {(i + 0.5) / p.width, (j + 0.5) / p.height});
                     moment[0] += static_cast<double>(c.r) * d;
                     moment[1] += static_cast<double>(c.g) * d;
                     moment[2] += static_cast<double>(c.b) * d;
@@ -364,8 +370,9 @@ void fill(const Sources& sources, const scene::Material& material, SphereRays& r
         const auto met = rays.meet(pixel.x + (column + 0.5) / across, pixel.y + (row + 0.5) / across);
         if (!met)
             continue; // a crack between triangles
-        specular += by_lobe(sharp ? sources.whole : sources.cut, m, *met, start + static_cast<std::uint64_t>(j),
-                            static_cast<std::uint64_t>(across * across), lobe_samples);
+        specular +=
+            by_lobe(sharp ? sources.whole : sources.cut, m, *met, start + static_cast<std::uint64_t>(j),
+                    static_cast<std::uint64_t>(across * across), lobe_samples);
         if (!sharp && (narrow || (column % 2 == row % 2 && row % 2 == 0))) {
             peaks += by_peaks(narrow ? sources.fine : sources.coarse, m, *met);
             ++peak_count;

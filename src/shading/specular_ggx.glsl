@@ -76,19 +76,23 @@ LobeSample lobe_sample(LobeSampling s, vec3 point)
     Real a2 = s.alpha * s.alpha;
     Real sine2 = n.x * n.x + n.y * n.y;
     Real cosine2 = n.z * n.z;
-    // density_ggx's ratio is its square times what all share
-    Real ratio = (sine2 + s.wide_alpha * s.wide_alpha * cosine2) / (sine2 + a2 * cosine2);
     Real VH = dot(s.view, n);
     // Nothing is reflected from below the horizon: this little amount keeps the mean defined where all samples are
     // such.
     Real NL = max(2.0 * VH * n.z - s.view.z, 1.0e-4);
     Real SL = smith_ggx(NL, s.alpha);
-    Real both = max(NL * s.SV + s.view.z * SL, 1.0e-20);
-    Real weight = ratio * ratio * NL / both;
-    vec3 narrowed = vec3(n.x, n.y, n.z * (1.0 + s.sharpening * ratio * cosine2));
-    Real size = dot(narrowed, narrowed);
-    Real lift = 0.5 * variance * s.view.z * a2 / max(NL * SL * both, 3.0e-3);
-    vec3 L = 2.0 * dot(s.view, narrowed) * narrowed - size * s.view;
+    // What is divided by: the lobe's slope, shadowing, the lift. One division does for the three.
+    Real slope = max(sine2 + a2 * cosine2, 1.0e-12);
+    Real both = NL * s.SV + s.view.z * SL;
+    Real room = max(NL * SL * both, 3.0e-3);
+    Real inverse = 1.0 / (slope * both * room);
+    Real ratio = (sine2 + s.wide_alpha * s.wide_alpha * cosine2) * (both * room * inverse);
+    Real weight = ratio * ratio * NL * (slope * room * inverse);
+    Real lift = 0.5 * variance * s.view.z * a2 * (slope * both * inverse);
+    Real z = n.z + n.z * cosine2 * s.sharpening * ratio;
+    Real size = sine2 + z * z;
+    Real twice = 2.0 * (VH + s.view.z * (z - n.z));
+    vec3 L = twice * vec3(n.x, n.y, z) - size * s.view;
     LobeSample result = {vec3(L.x, L.y, L.z + size * lift), size, weight, schlick_weight(VH), variance};
     return result;
 }
