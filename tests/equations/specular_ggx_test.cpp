@@ -46,7 +46,11 @@ vec3 second_light(const Environment&, LightSum)
     return vec3(0.0);
 }
 
+// The samples are tested, not the pass that adds them up.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
 #include "shading/specular_ggx.glsl"
+#pragma GCC diagnostic pop
 
 } // namespace
 
@@ -123,12 +127,12 @@ TEST(SpecularGgx, ManySamplesHaveTheLobesMoments)
                 << "alpha " << alpha << ", NV " << NV;
 }
 
-// Nor do the blurs of forty spread it by much. Samples left where they were drawn are off by up to 0.07.
+// Nor do the blurs of forty spread it by much. Samples left where they were drawn are off by up to 0.041.
 TEST(SpecularGgx, BlursOfFortySamplesHardlyWidenTheLobe)
 {
     for (double alpha : {0.1, 0.25, 0.5, 1.0})
         for (double NV : {0.2, 0.5, 0.8, 1.0})
-            EXPECT_LT(difference(sampled_moments(NV, alpha, 40), true_moments(NV, alpha)), 0.03)
+            EXPECT_LT(difference(sampled_moments(NV, alpha, 40), true_moments(NV, alpha)), 0.025)
                 << "alpha " << alpha << ", NV " << NV;
 }
 
