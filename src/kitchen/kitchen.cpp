@@ -1,0 +1,26 @@
+#include "kitchen/kitchen.h"
+
+#include "kitchen/parts.h"
+#include "kitchen/site.h"
+
+namespace lambent::kitchen {
+
+scene::Scene make_kitchen()
+{
+    Work work;
+    const Site room(work);
+    add_room(room);
+    add_windows(room);
+    add_cabinets(room);
+    add_island(room);
+    add_dining(room);
+    add_things(room);
+    return std::move(work.scene);
+}
+
+glm::vec3 kitchen_viewpoint()
+{
+    return {0.25f, 1.5f, 0.15f};
+}
+
+} // namespace lambent::kitchen
