@@ -44,7 +44,8 @@ void add_fridge(const Site& site)
     constexpr float half = 0.455f, depth = 0.66f, split = 0.72f, top = 1.95f;
     site.box(Stuff::black, {{-half, 0.02f, 0.0f}, {half, top, depth - 0.03f}}, glm::vec3(2.0f));
     const auto door = [&](const glm::vec2& low, const glm::vec2& high) {
-        BoxShape shape{{low.x + 0.003f, low.y + 0.003f, depth - 0.06f}, {high.x - 0.003f, high.y - 0.003f, depth}};
+        BoxShape shape{{low.x + 0.003f, low.y + 0.003f, depth - 0.06f},
+                       {high.x - 0.003f, high.y - 0.003f, depth}};
         shape.bevel = 0.012f;
         shape.steps = 3;
         site.box(Stuff::steel, shape);
@@ -98,15 +99,16 @@ void add_hood(const Site& site)
     for (int i = 0; i < 4; ++i)
         site.at({-0.06f + 0.04f * static_cast<float>(i), 0.035f, 0.5f})
             .tipped(90.0f)
-            .lathe(Stuff::black, {{{0.0f, -0.002f}, {0.009f, -0.002f}, {0.009f, 0.003f}, {0.0f, 0.003f}}, 16});
+            .lathe(Stuff::black,
+                   {{{0.0f, -0.002f}, {0.009f, -0.002f}, {0.009f, 0.003f}, {0.0f, 0.003f}}, 16});
 }
 
 void add_cooktop(const Site& site)
 {
     BoxShape glass{{-0.40f, -0.01f, -0.26f}, {0.40f, 0.007f, 0.26f}, 0.003f};
     site.box(Stuff::black_glass, glass);
-    const glm::vec3 rings[] = {{-0.22f, 0.007f, -0.11f}, {0.22f, 0.007f, -0.11f}, {-0.22f, 0.007f, 0.11f},
-                               {0.22f, 0.007f, 0.11f}};
+    const glm::vec3 rings[] = {
+        {-0.22f, 0.007f, -0.11f}, {0.22f, 0.007f, -0.11f}, {-0.22f, 0.007f, 0.11f}, {0.22f, 0.007f, 0.11f}};
     for (int i = 0; i < 4; ++i)
         add_ring(site.at(rings[i]), Stuff::steel, i % 3 == 0 ? 0.105f : 0.085f, 0.003f);
 }
@@ -125,8 +127,13 @@ void add_sink(const Site& site)
         .lathe(Stuff::chrome, {{{0.0f, 0.002f}, {0.03f, 0.002f}, {0.045f, 0.004f}, {0.047f, 0.0f}}, 24});
     // The tap: a column, a swan's neck, a lever.
     const Site tap = site.at({0.0f, 0.0f, -0.255f});
-    tap.lathe(Stuff::chrome, {{{0.0f, 0.0f}, {0.03f, 0.0f}, {0.03f, 0.008f}, {0.021f, 0.014f}, {0.021f, 0.09f},
-                               {0.016f, 0.1f}, {0.0f, 0.1f}},
+    tap.lathe(Stuff::chrome, {{{0.0f, 0.0f},
+                               {0.03f, 0.0f},
+                               {0.03f, 0.008f},
+                               {0.021f, 0.014f},
+                               {0.021f, 0.09f},
+                               {0.016f, 0.1f},
+                               {0.0f, 0.1f}},
                               24});
     std::vector<glm::vec3> neck{{0.0f, 0.09f, 0.0f}, {0.0f, 0.30f, 0.0f}};
     for (int i = 0; i <= 16; ++i) {

@@ -11,6 +11,7 @@ scene::Scene make_kitchen()
     const Site room(work);
     add_room(room);
     add_windows(room);
+    add_garden(room);
     add_cabinets(room);
     add_island(room);
     add_dining(room);
@@ -20,7 +21,7 @@ scene::Scene make_kitchen()
 
 glm::vec3 kitchen_viewpoint()
 {
-    return {0.25f, 1.5f, 0.15f};
+    return {0.2f, 1.5f, 0.05f};
 }
 
 } // namespace lambent::kitchen

@@ -7,7 +7,7 @@
 
 namespace lambent::kitchen {
 
-/// The room: 6.6 m along X, 6.4 m along Z, 2.7 m high, its floor at y = 0. Windows towards +X (over the sink), a patio
+/// The room: 5.7 m along X, 5.6 m along Z, 2.7 m high, its floor at y = 0. Windows towards +X (over the sink), a patio
 /// door towards +Z, the island towards -Z, dressers towards -X. The openings have no glass: what is seen through
 /// them is the environment. Emissive surfaces are in the units of the environment `sky`
 /// (environment::sky_nits_per_unit). The same at every call; takes a few ten milliseconds.
@@ -18,7 +18,7 @@ glm::vec3 kitchen_viewpoint();
 
 /// Where the sun has to stand for patches of sun on floor, counter and island: radians, as
 /// environment::BuiltinOptions has them.
-constexpr float sun_azimuth = 0.93f;
-constexpr float sun_elevation = 0.56f;
+constexpr float sun_azimuth = 1.05f;
+constexpr float sun_elevation = 0.46f;
 
 } // namespace lambent::kitchen

@@ -9,6 +9,7 @@ namespace lambent::kitchen {
 // To the whole room.
 void add_room(const Site& room);     ///< floor, walls with openings, ceiling, baseboards, spots
 void add_windows(const Site& room);  ///< frames, sill
+void add_garden(const Site& room);   ///< outside
 void add_cabinets(const Site& room); ///< along the walls, with worktops, shelves and tiles
 void add_island(const Site& room);   ///< with stools and lamps
 void add_things(const Site& room);   ///< all that stands around

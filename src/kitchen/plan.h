@@ -8,17 +8,17 @@
 
 namespace lambent::kitchen::plan {
 
-constexpr float west = -3.3f, east = 3.3f, north = -3.6f, south = 2.8f;
+constexpr float west = -2.8f, east = 2.9f, north = -3.3f, south = 2.3f;
 constexpr float ceiling = 2.7f;
 constexpr float wall = 0.3f; ///< thickness
 
 constexpr float counter_top = 0.92f, counter_depth = 0.62f, slab = 0.04f;
-constexpr float sink = -0.8f;    ///< where along the east wall
-constexpr float cooktop = 0.3f;  ///< where along the north wall
+constexpr float sink = -0.85f;   ///< where along the east wall
+constexpr float cooktop = 0.25f; ///< where along the north wall
 constexpr float cabinet_top = 2.35f;
 
 /// The top of the island.
-constexpr glm::vec2 island_low(-1.1f, -2.05f), island_high(1.7f, -1.1f);
+constexpr glm::vec2 island_low(-1.05f, -1.9f), island_high(1.4f, -0.98f);
 
 /// An opening in a wall, in the axes of a site at the middle of its foot: from low to high, in `panes` beside each
 /// other.
@@ -26,8 +26,8 @@ struct Opening {
     glm::vec2 low, high;
     int panes;
 };
-constexpr Opening window{{-2.4f, 1.08f}, {0.8f, 2.5f}, 4};
-constexpr Opening patio_door{{-2.4f, 0.0f}, {-0.1f, 2.3f}, 2};
+constexpr Opening window{{-2.35f, 1.08f}, {0.75f, 2.5f}, 4};
+constexpr Opening patio_door{{-2.3f, 0.0f}, {0.1f, 2.35f}, 2};
 
 /// The middles of all panes, in the room.
 std::vector<glm::vec3> pane_middles();

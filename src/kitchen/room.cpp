@@ -58,13 +58,14 @@ void add_baseboard(const Site& site, float from, float to)
 // Lamps let into the ceiling.
 void add_spots(const Site& room)
 {
-    for (const float x : {-2.2f, -0.75f, 0.75f, 2.2f})
-        for (const float z : {-2.7f, 0.0f, 1.7f}) {
+    for (const float x : {-1.9f, -0.55f, 0.8f, 2.1f})
+        for (const float z : {-2.45f, 0.0f, 1.4f}) {
             const Site spot = room.at({x, ceiling, z});
-            spot.lathe(Stuff::lacquer,
-                       {{{0.0f, -0.004f}, {0.055f, -0.004f}, {0.06f, -0.006f}, {0.07f, -0.006f}, {0.074f, 0.0f}},
-                        32},
-                       white);
+            spot.lathe(
+                Stuff::lacquer,
+                {{{0.0f, -0.004f}, {0.055f, -0.004f}, {0.06f, -0.006f}, {0.07f, -0.006f}, {0.074f, 0.0f}},
+                 32},
+                white);
             spot.lathe(Stuff::spot, {{{0.0f, -0.008f}, {0.05f, -0.008f}, {0.052f, -0.003f}}, 32});
         }
 }
@@ -84,8 +85,8 @@ void add_room(const Site& room)
     add_wall(room.at({west, 0.0f, 0.0f}, 90.0f), {-south - wall, -north + wall}, nullptr, sage);
     add_baseboard(room.at({0.0f, 0.0f, south}, 180.0f), -east, patio_door.low.x - 0.08f);
     add_baseboard(room.at({0.0f, 0.0f, south}, 180.0f), patio_door.high.x + 0.08f, east);
-    add_baseboard(room.at({west, 0.0f, 0.0f}, 90.0f), -south, -1.7f);
-    add_baseboard(room.at({east, 0.0f, 0.0f}, -90.0f), 1.15f, south);
+    add_baseboard(room.at({west, 0.0f, 0.0f}, 90.0f), -south, -1.25f);
+    add_baseboard(room.at({east, 0.0f, 0.0f}, -90.0f), 0.95f, south);
     add_spots(room);
 }
 

@@ -49,9 +49,11 @@ std::vector<BoxLine> box_lines(const BoxShape& shape)
         return {{-1.0f, 0.0f}, {1.0f, 0.0f}};
     std::vector<BoxLine> lines;
     for (int i = shape.steps; i >= 0; --i)
-        lines.push_back({-1.0f, -std::tan(0.25f * pi * static_cast<float>(i) / static_cast<float>(shape.steps))});
+        lines.push_back(
+            {-1.0f, -std::tan(0.25f * pi * static_cast<float>(i) / static_cast<float>(shape.steps))});
     for (int i = 0; i <= shape.steps; ++i)
-        lines.push_back({1.0f, std::tan(0.25f * pi * static_cast<float>(i) / static_cast<float>(shape.steps))});
+        lines.push_back(
+            {1.0f, std::tan(0.25f * pi * static_cast<float>(i) / static_cast<float>(shape.steps))});
     return lines;
 }
 

@@ -69,7 +69,9 @@ Stuffs make_stuffs()
         light("strip", {0.5f, 0.40f, 0.28f}),
         light("spot", {0.6f, 0.52f, 0.42f}),
     };
-    const auto of = [&](Stuff stuff) -> scene::Material& { return s.materials[static_cast<std::size_t>(stuff)]; };
+    const auto of = [&](Stuff stuff) -> scene::Material& {
+        return s.materials[static_cast<std::size_t>(stuff)];
+    };
     of(Stuff::wood).base_color_texture = texture(0, {0.7f, 1.9f});
     of(Stuff::marble).base_color_texture = texture(1, {1.9f, 1.9f});
     of(Stuff::rug).base_color_texture = texture(2, {1.0f, 1.0f});

@@ -18,17 +18,17 @@ enum class Stuff {
     chrome, ///< a little worn: no perfect mirrors, they would be noise
     brass,
     black_glass,
-    black, ///< powder-coated metal, and shadow gaps
-    tile,  ///< glazed, plain
+    black,   ///< powder-coated metal, and shadow gaps
+    tile,    ///< glazed, plain
     ceramic, ///< plain
     glass,   ///< of bottles and jars: opaque, plain
     fruit,   ///< waxy, plain
     leaf,    ///< plain
     cloth,   ///< plain
     rug,
-    bulb, ///< warm light, of lamps
+    bulb,  ///< warm light, of lamps
     strip, ///< warm light, under cabinets
-    spot, ///< neutral light, in the ceiling
+    spot,  ///< neutral light, in the ceiling
     count
 };
 

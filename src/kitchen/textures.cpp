@@ -1,6 +1,5 @@
 #include "kitchen/textures.h"
 
-#include "equations/in_double.h"
 #include "kitchen/noise.h"
 
 #include <glm/common.hpp>
@@ -84,12 +83,12 @@ glm::vec3 rug(float u, float v)
 
 image::CodeImage wood_texture()
 {
-    return painted(512, wood);
+    return painted(384, wood);
 }
 
 image::CodeImage marble_texture()
 {
-    return painted(512, marble);
+    return painted(384, marble);
 }
 
 image::CodeImage rug_texture()
