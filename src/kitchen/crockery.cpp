@@ -7,16 +7,20 @@
 namespace lambent::kitchen {
 namespace {
 
-// A handle like an ear, in the plane of +X and +Y.
-void add_ear(const Site& site, Stuff stuff, const glm::vec3& tint, float radius, float low, float high)
+// A handle like an ear, in the plane of +X and +Y, from `low` to `high` on a wall of this radius.
+struct Ear {
+    float radius, low, high;
+};
+
+void add_ear(const Site& site, const Ear& ear, const glm::vec3& tint)
 {
-    const float middle = 0.5f * (low + high), out = 0.75f * (high - low);
-    const glm::vec3 points[] = {{radius - 0.002f, high, 0.0f},
-                                {radius + 0.7f * out, high - 0.1f * (high - low), 0.0f},
-                                {radius + out, middle, 0.0f},
-                                {radius + 0.6f * out, low + 0.1f * (high - low), 0.0f},
-                                {radius - 0.004f, low, 0.0f}};
-    site.tube(stuff, {smooth(points, 6), {0.09f * (high - low) + 0.0015f}, 10}, tint);
+    const float size = ear.high - ear.low, out = 0.75f * size;
+    const glm::vec3 points[] = {{ear.radius - 0.002f, ear.high, 0.0f},
+                                {ear.radius + 0.7f * out, ear.high - 0.1f * size, 0.0f},
+                                {ear.radius + out, 0.5f * (ear.low + ear.high), 0.0f},
+                                {ear.radius + 0.6f * out, ear.low + 0.1f * size, 0.0f},
+                                {ear.radius - 0.004f, ear.low, 0.0f}};
+    site.tube(Stuff::ceramic, {smooth(points, 6), {0.09f * size + 0.0015f}, 10}, tint);
 }
 
 } // namespace
@@ -43,7 +47,7 @@ void add_cup(const Site& site, const glm::vec3& tint)
                                  {0.042f, 0.088f}, {0.040f, 0.09f}, {0.038f, 0.086f}, {0.037f, 0.03f},
                                  {0.03f, 0.009f},  {0.0f, 0.008f}};
     site.lathe(Stuff::ceramic, {{std::begin(profile), std::end(profile)}, 28, 1.0f}, tint);
-    add_ear(site, Stuff::ceramic, tint, 0.041f, 0.02f, 0.075f);
+    add_ear(site, {0.041f, 0.02f, 0.075f}, tint);
 }
 
 void add_bottle(const Site& site, const glm::vec3& tint)

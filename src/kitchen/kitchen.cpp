@@ -21,7 +21,7 @@ scene::Scene make_kitchen()
 
 glm::vec3 kitchen_viewpoint()
 {
-    return {0.2f, 1.5f, 0.05f};
+    return {0.2f, 1.45f, -0.1f};
 }
 
 } // namespace lambent::kitchen
