@@ -29,7 +29,8 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"draw", {"base", "image", "scene", "view", "trace", "environment", "equations", "shading", "wide"}},
     {"reference", {"base", "image", "scene", "view", "trace", "environment", "equations", "shading"}},
     {"display", {"image", "equations", "wide"}},
-    {"apps", {"base", "image", "scene", "view", "environment", "draw", "reference", "display"}},
+    {"compare", {"base", "image", "equations"}},
+    {"apps", {"base", "image", "scene", "view", "environment", "draw", "reference", "display", "compare"}},
 };
 
 std::string folder_of(const fs::path& path)
