@@ -22,6 +22,7 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"shading", {}},
     {"image", {"base"}},
     {"scene", {"base", "image", "equations"}},
+    {"kitchen", {"base", "image", "equations", "scene"}},
     {"view", {"scene"}},
     {"trace", {"base", "scene"}},
     {"environment", {"base", "image", "equations", "wide"}},
