@@ -20,5 +20,10 @@ glm::vec3 kitchen_viewpoint();
 /// environment::BuiltinOptions has them.
 constexpr float sun_azimuth = 1.05f;
 constexpr float sun_elevation = 0.46f;
+constexpr float sky_turbidity = 2.2f;
+
+/// Factor from light in the units of `sky` to the panorama, so that things in the room are lit about as brightly as in the
+/// environment `studio`: radiance 1 of the panorama is environment::sky_nits_per_unit / exposure in cd/m^2.
+constexpr float exposure = 9.0f;
 
 } // namespace lambent::kitchen

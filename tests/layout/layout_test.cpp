@@ -30,7 +30,7 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"reference", {"base", "image", "scene", "view", "trace", "environment", "equations", "shading"}},
     {"display", {"image", "equations", "wide"}},
     {"compare", {"base", "image", "equations"}},
-    {"apps", {"base", "image", "scene", "view", "environment", "draw", "reference", "display", "compare"}},
+    {"apps", {"base", "image", "scene", "view", "environment", "draw", "reference", "display", "compare", "kitchen"}},
 };
 
 std::string folder_of(const fs::path& path)
