@@ -1,5 +1,6 @@
 #include "bench/cycles/agreement.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 

@@ -1,12 +1,14 @@
 // `lambent reference` beside Blender's Cycles: the same light within noise? And how long to the same error?
 //
-//     bench_cycles [--env NAME|FILE] [--size WxH] [--spp N] [--seeds N] [--bounces N] [--rounds N] [--plain] [--adaptive]
+//     bench_cycles [--env NAME|FILE] [--size WxH] [--spp N] [--seeds N] [--bounces N] [--rounds N]
+//                  [--single|--separable] [--adaptive]
 //
-// --plain: GGX without light scattered more than once. --rounds 0: no timing. --adaptive: Cycles' adaptive sampling.
+// --single, --separable: see Lobe. --rounds 0: no timing. --adaptive: Cycles' adaptive sampling.
 #include "bench/cycles/agreement.h"
 #include "bench/cycles/equal_error.h"
 #include "bench/cycles/programs.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -24,44 +26,61 @@ struct Request {
     bool understood = true;
 };
 
-// Whether `word` with `value` is an option of a number.
-bool set_number(Request& request, const std::string& word, int value)
+bool set_flag(Request& request, const std::string& word)
 {
+    if (word == "--separable") {
+        request.job.lobe = bench::Lobe::separable;
+    } else if (word == "--single") {
+        request.job.lobe = bench::Lobe::single;
+        request.job.bounces = 1;
+        request.rounds = 0;
+    } else if (word == "--adaptive")
+        request.job.adaptive = true;
+    else
+        return false;
+    return true;
+}
+
+bool set_value(Request& request, const std::string& word, const char* value)
+{
+    bench::PictureSize& size = request.job.size;
+    if (word == "--size")
+        return std::sscanf(value, "%dx%d", &size.width, &size.height) == 2;
+    if (word == "--env") {
+        request.job.environment = value;
+        return true;
+    }
     int* number = word == "--spp"       ? &request.samples
                   : word == "--seeds"   ? &request.seeds
                   : word == "--bounces" ? &request.job.bounces
                   : word == "--rounds"  ? &request.rounds
                                         : nullptr;
     if (number)
-        *number = value;
+        *number = std::atoi(value);
     return number != nullptr;
 }
 
 Request request_of(int count, char** words)
 {
     Request request;
-    for (int i = 1; i < count; ++i) {
-        const std::string word = words[i];
-        const char* value = i + 1 < count ? words[i + 1] : "";
-        bench::PictureSize& size = request.job.size;
-        if (word == "--plain")
-            request.job.multiple_scattering = false;
-        else if (word == "--adaptive")
-            request.job.adaptive = true;
-        else if (word == "--env")
-            request.job.environment = words[++i < count ? i : 0];
-        else if (word == "--size")
-            request.understood &=
-                std::sscanf(words[++i < count ? i : 0], "%dx%d", &size.width, &size.height) == 2;
-        else if (set_number(request, word, std::atoi(value)))
+    for (int i = 1; i < count; ++i)
+        if (!set_flag(request, words[i])) {
+            request.understood &= i + 1 < count && set_value(request, words[i], words[i + 1]);
             ++i;
-        else
-            request.understood = false;
-    }
+        }
     const bench::PictureSize size = request.job.size;
     request.understood &= request.samples > 0 && request.seeds >= 4 && request.job.bounces >= 1 &&
-                          size.width >= 64 && size.height >= 64 && size.width <= 8192 && size.height <= 8192;
+                          (request.job.lobe != bench::Lobe::single || request.job.bounces == 1) &&
+                          std::min(size.width, size.height) >= 64 &&
+                          std::max(size.width, size.height) <= 8192;
     return request;
+}
+
+const char* name_of(bench::Lobe lobe)
+{
+    return lobe == bench::Lobe::multiple ? "multiscatter"
+           : lobe == bench::Lobe::single ? "single"
+                                         : "separable";
 }
 
 void compare(const Request& request)
@@ -72,8 +91,8 @@ void compare(const Request& request)
     for (int seed = 1; seed <= request.seeds; ++seed)
         orders.push_back({request.samples, static_cast<std::uint32_t>(seed)});
     std::printf("%s, %dx%d, %d bounces, %s GGX, %d seeds of %d samples per pixel\n", job.environment.c_str(),
-                job.size.width, job.size.height, job.bounces,
-                job.multiple_scattering ? "multiscatter" : "plain", request.seeds, request.samples);
+                job.size.width, job.size.height, job.bounces, name_of(job.lobe), request.seeds,
+                request.samples);
     std::fflush(stdout);
     bench::SamePictures same;
     same.lambent = programs.lambent(orders).pictures;
@@ -90,7 +109,7 @@ int main(int count, char** words)
     const Request request = request_of(count, words);
     if (!request.understood) {
         std::fputs("usage: bench_cycles [--env NAME|FILE] [--size WxH] [--spp N] [--seeds N] [--bounces N] "
-                   "[--rounds N] [--plain] [--adaptive]\n",
+                   "[--rounds N] [--single|--separable] [--adaptive]\n",
                    stderr);
         return 2;
     }

@@ -21,6 +21,9 @@ using Json = nlohmann::json;
 
 constexpr double patience = 3600.0; // seconds
 
+// Of nearly black facets: above what Cycles takes for black (1e-5).
+constexpr double dark = 1e-4;
+
 testing::Outcome run(const std::string& program, const std::vector<std::string>& words)
 {
     testing::Outcome outcome = testing::run_program(program, words, patience);
@@ -114,7 +117,8 @@ std::string Programs::job_text(const std::vector<Order>& orders) const
                 {"bounces", job_.bounces},
                 {"threads", job_.threads},
                 {"adaptive", job_.adaptive},
-                {"distribution", job_.multiple_scattering ? "MULTI_GGX" : "GGX"},
+                {"distribution", job_.lobe == Lobe::separable ? "GGX" : "MULTI_GGX"},
+                {"reflectance", job_.lobe == Lobe::single ? dark : 1.0},
                 {"camera", describe(grid_camera(grid_, job_.size))}};
     add_mesh(grid_.meshes[0], job);
     add_spheres(grid_, job);
@@ -139,6 +143,9 @@ Series Programs::cycles(const std::vector<Order>& orders) const
         if (std::sscanf(line.c_str(), "picture %lf %lf", &taken.seconds, &taken.cpu_seconds) != 2)
             continue;
         taken.radiance = image::read_radiance(output(series.pictures.size()));
+        if (job_.lobe == Lobe::single)
+            for (float& value : taken.radiance.values)
+                value *= static_cast<float>(1.0 / dark);
         series.start_seconds -= taken.seconds;
         series.pictures.push_back(std::move(taken));
     }
@@ -161,7 +168,7 @@ Taken Programs::one_of_lambent(const Order& order, double& start_seconds) const
                                       "--uniform", "--quiet",
                                       "--stats",   "json",
                                       "-o",        output(0)};
-    if (!job_.multiple_scattering)
+    if (job_.lobe != Lobe::multiple)
         words.emplace_back("--no-energy-compensation");
     const double before = children_cpu();
     const testing::Outcome outcome = run(LAMBENT_PROGRAM, words);

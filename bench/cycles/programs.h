@@ -14,12 +14,23 @@ namespace lambent::bench {
 /// Is `blender` there, and of the series this was made for?
 bool have_blender();
 
+/// What a sphere does with light.
+enum class Lobe {
+    /// Cycles: a walk between facets [Heitz et al. 2016]; lambent: one reflection, scaled [Turquin 2019].
+    multiple,
+    /// One reflection; Cycles 3.4 multiplies masking by shadowing, lambent correlates them by height.
+    separable,
+    /// One reflection, the same in both: when facets are nearly black that is all that is left of Cycles' walk, as
+    /// each further one is darker by their reflectance. The picture is made brighter again. One bounce only.
+    single
+};
+
 struct Job {
     std::string environment; ///< of lambent's names, or a file
-    PictureSize size{480, 270};
-    int bounces = 8;                 ///< at least 1
-    bool multiple_scattering = true; ///< false: both show plain GGX
-    bool adaptive = false;           ///< Cycles only: its adaptive sampling
+    PictureSize size{320, 180};
+    int bounces = 8; ///< at least 1
+    Lobe lobe = Lobe::multiple;
+    bool adaptive = false; ///< Cycles only: its adaptive sampling
     int threads = 2;
 };
 

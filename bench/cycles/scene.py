@@ -2,8 +2,8 @@
 
     blender -b --factory-startup --python scene.py -- JOB.json
 
-Lambent has Y up, Blender Z up: (x, y, z) is (x, -z, y) there. For each picture one line is printed: "picture SECONDS
-CPU_SECONDS", from a scene without a kernel's data structures to the file on disk.
+Lambent has Y up, Blender Z up: (x, y, z) is (x, -z, y) there. For each picture one line is printed:
+"picture SECONDS CPU_SECONDS", from the scene as Blender holds it to the file on disk.
 """
 
 import json
@@ -37,14 +37,14 @@ def make_mesh(job):
     return mesh
 
 
-def make_material(roughness, distribution):
+def make_material(roughness, distribution, reflectance):
     material = bpy.data.materials.new("white metal")
     material.use_nodes = True
     nodes = material.node_tree.nodes
     nodes.clear()
     glossy = nodes.new("ShaderNodeBsdfGlossy")
     glossy.distribution = distribution
-    glossy.inputs["Color"].default_value = (1.0, 1.0, 1.0, 1.0)
+    glossy.inputs["Color"].default_value = (reflectance, reflectance, reflectance, 1.0)
     glossy.inputs["Roughness"].default_value = roughness  # alpha is its square
     output = nodes.new("ShaderNodeOutputMaterial")
     material.node_tree.links.new(glossy.outputs["BSDF"], output.inputs["Surface"])
@@ -57,7 +57,7 @@ def make_spheres(job):
     for sphere in job["spheres"]:
         roughness = sphere["roughness"]
         if roughness not in materials:
-            materials[roughness] = make_material(roughness, job["distribution"])
+            materials[roughness] = make_material(roughness, job["distribution"], job.get("reflectance", 1.0))
         ball = bpy.data.objects.new("sphere", mesh)
         ball.location = upright(sphere["centre"])
         ball.material_slots[0].link = "OBJECT"
@@ -83,7 +83,8 @@ def make_camera(camera):
     data.clip_start = 1e-3
     eye = bpy.data.objects.new("camera", data)
     axes = [upright(camera[axis]) for axis in ("right", "up", "back")]
-    eye.matrix_world = mathutils.Matrix.Translation(upright(camera["position"])) @ mathutils.Matrix(axes).transposed().to_4x4()
+    turn = mathutils.Matrix(axes).transposed().to_4x4()
+    eye.matrix_world = mathutils.Matrix.Translation(upright(camera["position"])) @ turn
     bpy.context.scene.collection.objects.link(eye)
     bpy.context.scene.camera = eye
 
@@ -99,6 +100,8 @@ def set_integrator(job):
     cycles.blur_glossy = 0.0
     cycles.caustics_reflective = cycles.caustics_refractive = True
     cycles.light_sampling_threshold = 0.0
+    if job.get("reflectance", 1.0) < 1.0:
+        cycles.min_light_bounces = job["bounces"]  # or by roulette hardly a path would leave a dark sphere
     # Cycles counts what comes after the first reflection.
     cycles.max_bounces = cycles.glossy_bounces = cycles.diffuse_bounces = job["bounces"] - 1
 
