@@ -9,6 +9,7 @@ namespace lambent {
 
 /// The exit code of the command for each kind of failure (see docs/CLI.md).
 enum class Failure {
+    over_bound = 1,   ///< pictures differ by more than the caller allows
     usage = 2,        ///< the caller asked for something that does not exist or does not fit
     bad_input = 3,    ///< a file is missing, broken, hostile or of a kind we do not read
     no_device = 4,    ///< no suitable processor, GPU or driver

@@ -48,8 +48,9 @@ SampleTables make_sample_tables(int count, LobePoints points)
     for (int i = 0; i < count; ++i) {
         const double golden = fraction(i / std::numbers::phi), middle = (i + 0.5) / count;
         const double turn = 2.0 * std::numbers::pi * golden;
-        tables.cap.push_back({static_cast<float>(middle), static_cast<float>(std::cos(turn)),
-                              static_cast<float>(std::sin(turn))});
+        // A little towards the middle: the outermost samples stand for the tail beyond them, but most of it is near.
+        tables.cap.push_back({static_cast<float>((i + 0.4) / (count + 1.0)),
+                              static_cast<float>(std::cos(turn)), static_cast<float>(std::sin(turn))});
         tables.lobe.push_back(points == LobePoints::spiral ? lobe_point(golden, middle)
                                                            : hammersley(i, count));
         tables.pixel.push_back({static_cast<float>(fraction(0.5 + i / plastic) - 0.5),

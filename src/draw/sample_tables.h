@@ -16,8 +16,8 @@ struct SampleTables {
     struct Pixel {
         float x, y;
     };
-    std::vector<Cap> cap;     ///< a sunflower spiral: xi2 in equal steps, xi1 by the golden ratio
-    std::vector<Lobe> lobe;   ///< the same spiral, or the report's Hammersley pairs
+    std::vector<Cap> cap;     ///< a sunflower spiral: xi2 = (i + 0.4) / (N + 1), xi1 by the golden ratio
+    std::vector<Lobe> lobe;   ///< such a spiral, xi2 = (i + 0.5) / N, or the report's Hammersley pairs
     std::vector<Pixel> pixel; ///< by the powers of the plastic number, independent of `cap`
 };
 

@@ -71,3 +71,16 @@ VisibleFacet sample_visible_ggx(vec3 stretched, Real alpha, vec3 point)
     VisibleFacet facet = {inverse * h, ratio * ratio};
     return facet;
 }
+
+// The part of sample_visible_ggx's xi2, from 0 on, that is worth drawing: no facet beyond mirrors V, given in the
+// surface's frame, to above the horizon. Half of it where alpha = 1 and V is the normal, all of it where alpha = 0.
+// [Eto and Tokuyoshi 2023, "Bounded VNDF sampling for Smith-GGX reflections"] Witness: what is left out lies below.
+Real reflecting_share_ggx(vec3 view, Real alpha)
+{
+    Real a2 = alpha * alpha;
+    Real s = 1.0 + sqrt(max((1.0 - view.z) * (1.0 + view.z), 0.0));
+    Real s2 = s * s;
+    Real bound = (1.0 - a2) * s2 / (s2 + a2 * view.z * view.z);
+    Real z = stretched_view(view, alpha).z;
+    return (1.0 + bound * z) / (1.0 + z);
+}

@@ -103,12 +103,16 @@ double Reflection::glossy_density(const glm::dvec3& light) const
     const double length = glm::length(sum);
     if (!(length > 1e-12))
         return 0.0;
-    const double NH = std::clamp(glm::dot(surface_.normal, sum) / length, 0.0, 1.0);
-    if (model_ == view::Model::ggx)
+    const double NH = std::min(glm::dot(surface_.normal, sum) / length, 1.0);
+    if (model_ == view::Model::ggx) {
+        if (!(NH > 0.0)) // facets that face into the surface are not there
+            return 0.0;
         return in_double::density_ggx(NH, surface_.gloss) * in_double::masking_ggx(NV_, surface_.gloss) /
                (4.0 * NV_);
+    }
     const double VH = glm::dot(surface_.view, sum) / length;
-    const double lobe = (surface_.gloss + 1.0) / (2.0 * pi) * std::pow(NH, surface_.gloss);
+    // Facets are drawn that face away from the viewer, too: they mirror to below the surface.
+    const double lobe = (surface_.gloss + 1.0) / (2.0 * pi) * std::pow(std::fabs(NH), surface_.gloss);
     return VH > 1e-9 ? lobe / (4.0 * VH) : 0.0;
 }
 

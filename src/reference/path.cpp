@@ -44,6 +44,8 @@ private:
     trace::Hit find(trace::Ray ray);
     double passing(trace::Ray ray) const;
     glm::dvec3 light_from(const Surface& surface, const Reflection& reflection, const glm::dvec2& u) const;
+    glm::dvec3 light_from_emitters(const Surface& surface, const Reflection& reflection);
+    glm::dvec3 emitted(const trace::Hit& hit, const Surface& surface, int bounce) const;
     glm::dvec3 lamps(const Surface& surface, const Reflection& reflection);
     glm::dvec3 lamp(const scene::Light& light, const Surface& surface, const Reflection& reflection) const;
     glm::dvec3 background(const glm::dvec3& direction);
@@ -57,6 +59,7 @@ private:
     glm::dvec3 throughput_{1.0}; ///< of the path so far
     glm::dvec3 next_{0.0};       ///< where the path goes on
     double density_ = 0.0;       ///< with which that was drawn; 0: the path ends
+    glm::dvec3 last_{0.0};       ///< the point before
 };
 
 // The first surface that is there for this ray: not a culled back, and not the part that alpha lets through.
@@ -120,6 +123,47 @@ glm::dvec3 Path::light_from(const Surface& surface, const Reflection& reflection
                      : glm::dvec3(0.0);
 }
 
+// Light of the surfaces that shine, from a point on one of them.
+glm::dvec3 Path::light_from_emitters(const Surface& surface, const Reflection& reflection)
+{
+    if (!world_.emitters || world_.bounces == 0 || world_.strategy == Strategy::reflections_only)
+        return glm::dvec3(0.0);
+    const std::array<double, 4> u = sampler_.next4();
+    Emitters::Drawn drawn = world_.emitters->draw({u[0], u[1], u[2]});
+    const glm::dvec3 way = drawn.position - surface.position;
+    const double distance = glm::length(way);
+    const glm::dvec3 direction = way / std::max(distance, 1e-30);
+    const double cosine = -glm::dot(drawn.normal, direction);
+    drawn.hit.front = cosine > 0.0;
+    if (!(std::fabs(cosine) > 1e-9) || world_.surfaces->is_culled(drawn.hit) || below(surface, direction))
+        return glm::dvec3(0.0);
+    const glm::dvec3 value = reflection.value(direction);
+    if (value == glm::dvec3(0.0))
+        return value;
+    trace::Ray ray{start_beside(surface.position, surface.geometric), glm::vec3(direction)};
+    ray.far = static_cast<float>(distance * (1.0 - 1e-4));
+    const double there = passing(ray) * world_.surfaces->opacity(drawn.hit);
+    if (!(there > 0.0))
+        return glm::dvec3(0.0);
+    const double density = drawn.density * distance * distance / std::fabs(cosine);
+    const bool alone = world_.strategy == Strategy::lights_only;
+    const double weight = alone ? 1.0 : weight_of(density, reflection.density(direction));
+    return (there * weight / density) * value * world_.surfaces->at(drawn.hit, direction).emitted;
+}
+
+// What a surface that was met sends by itself: after a bounce, the part that light_from_emitters leaves to this.
+glm::dvec3 Path::emitted(const trace::Hit& hit, const Surface& surface, int bounce) const
+{
+    const double by_area = world_.emitters && !surface.unlit ? world_.emitters->density(hit.instance) : 0.0;
+    if (bounce == 0 || !(by_area > 0.0) || world_.strategy == Strategy::reflections_only)
+        return surface.emitted;
+    if (world_.strategy == Strategy::lights_only)
+        return glm::dvec3(0.0);
+    const glm::dvec3 way = surface.position - last_;
+    const double cosine = std::max(glm::dot(surface.geometric, surface.view), 1e-9);
+    return weight_of(density_, by_area * glm::dot(way, way) / cosine) * surface.emitted;
+}
+
 glm::dvec3 Path::lamp(const scene::Light& light, const Surface& surface, const Reflection& reflection) const
 {
     const LightArrival arrival = arrival_of(light, surface.position);
@@ -152,7 +196,8 @@ glm::dvec3 Path::scattered(const Surface& surface)
 {
     const Reflection reflection(surface, world_.model, world_.energy_compensation);
     const std::array<double, 4> u = sampler_.next4();
-    glm::dvec3 light = lamps(surface, reflection) + light_from(surface, reflection, {u[0], u[1]});
+    glm::dvec3 light = lamps(surface, reflection) + light_from(surface, reflection, {u[0], u[1]}) +
+                       light_from_emitters(surface, reflection);
     light *= throughput_;
     next_ = reflection.draw({u[2], u[3]});
     density_ = below(surface, next_) ? 0.0 : reflection.density(next_);
@@ -216,13 +261,14 @@ Sight Path::follow(const SightRay& sight)
         }
         const Surface surface = world_.surfaces->at(hit, direction);
         seen.coverage = 1.0;
-        seen.radiance += throughput_ * surface.emitted;
+        seen.radiance += throughput_ * emitted(hit, surface, bounce);
         if (surface.unlit || (bounce > 0 && bounce >= world_.bounces))
             return seen;
         seen.radiance += scattered(surface);
         if (!(density_ > 0.0) || !survives(bounce))
             return seen;
         direction = next_;
+        last_ = surface.position;
         ray = {start_beside(surface.position, surface.geometric), glm::vec3(direction)};
     }
 }

@@ -1,6 +1,7 @@
 // Light along one ray of sight, by one random path.
 #pragma once
 
+#include "reference/emitters.h"
 #include "reference/environment_light.h"
 #include "reference/lens.h"
 #include "reference/sampler.h"
@@ -22,6 +23,7 @@ struct World {
     const trace::Visibility* visibility = nullptr;
     const Surfaces* surfaces = nullptr;
     const EnvironmentLight* environment = nullptr; ///< null: darkness
+    const Emitters* emitters = nullptr;            ///< null: none
     std::vector<scene::Light> lights;
     view::Model model = view::Model::ggx;
     bool energy_compensation = true;

@@ -167,10 +167,12 @@ Result trace(const scene::Scene& scene, const image::RadianceImage* panorama, co
     std::optional<EnvironmentLight> environment;
     if (panorama)
         environment.emplace(*panorama, settings.environment_rotation);
+    const Emitters emitters(scene);
     World world;
     world.visibility = &visibility;
     world.surfaces = &surfaces;
     world.environment = environment ? &*environment : nullptr;
+    world.emitters = emitters.empty() ? nullptr : &emitters;
     world.lights = scene.lights;
     world.lights.insert(world.lights.end(), settings.lights.begin(), settings.lights.end());
     world.model = settings.model;

@@ -157,8 +157,12 @@ std::set<std::string> options_in(const std::string& text)
 TEST(Docs, CliListsEveryOptionAndNoOther)
 {
     std::set<std::string> real;
-    for (const Command& command :
-         {Command{"--help"}, {"render", "--help"}, {"env", "--help"}, {"info", "--help"}})
+    for (const Command& command : {Command{"--help"},
+                                   {"render", "--help"},
+                                   {"reference", "--help"},
+                                   {"compare", "--help"},
+                                   {"env", "--help"},
+                                   {"info", "--help"}})
         real.merge(options_in(testing::run_program(LAMBENT_PROGRAM, command).output));
     EXPECT_EQ(options_in(contents(root / "docs/CLI.md")), real);
 }

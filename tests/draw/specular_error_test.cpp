@@ -188,7 +188,7 @@ void expect_errors_below(const std::vector<Bound>& bounds, const Place& place, S
 TEST(SpecularError, ShrinksWithTheNumberOfSamples)
 {
     expect_errors_below(
-        {{0.35f, 0.065, 0.0085}, {0.5f, 0.039, 0.004}, {0.75f, 0.0485, 0.0037}, {1.0f, 0.054, 0.0042}},
+        {{0.35f, 0.056, 0.0085}, {0.5f, 0.039, 0.003}, {0.75f, 0.029, 0.0012}, {1.0f, 0.028, 0.0009}},
         soft_room(), Surface::white_metal);
 }
 
@@ -197,7 +197,7 @@ TEST(SpecularError, ShrinksWithTheNumberOfSamples)
 TEST(SpecularError, OfAHardSunShrinksToo)
 {
     expect_errors_below(
-        {{0.35f, 0.0865, 0.0365}, {0.5f, 0.056, 0.028}, {0.75f, 0.052, 0.0185}, {1.0f, 0.077, 0.019}},
+        {{0.35f, 0.043, 0.029}, {0.5f, 0.039, 0.0145}, {0.75f, 0.030, 0.0183}, {1.0f, 0.040, 0.008}},
         hard_sun(), Surface::white_metal);
 }
 
@@ -205,7 +205,7 @@ TEST(SpecularError, OfAHardSunShrinksToo)
 TEST(SpecularError, OfADielectricShrinksToo)
 {
     expect_errors_below(
-        {{0.35f, 0.283, 0.0335}, {0.5f, 0.190, 0.015}, {0.75f, 0.185, 0.0145}, {1.0f, 0.170, 0.0225}},
+        {{0.35f, 0.260, 0.0335}, {0.5f, 0.220, 0.015}, {0.75f, 0.155, 0.007}, {1.0f, 0.137, 0.007}},
         soft_room(), Surface::black_dielectric);
 }
 

@@ -183,7 +183,7 @@ Outputs ggx_masking(Inputs i)
 {
     Real alpha = decades(i.c, 1.0e-4, 1.0);
     Outputs o = {smith_ggx(i.a, alpha), masking_ggx(i.a, alpha), spread_ggx(i.a, alpha),
-                 smith_ggx(Real(1.0), alpha)};
+                 reflecting_share_ggx(vec3(sqrt((1.0 - i.a) * (1.0 + i.a)), 0.0, i.a), alpha)};
     return o;
 }
 

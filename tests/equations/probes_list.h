@@ -59,3 +59,5 @@ PROBE(43, shading_direct_phong, 1e-5, 1e-3, 1e-5, 1e-3)
 PROBE(44, shading_ambient, 1e-5, 0.0, 1e-5, 0.0)
 PROBE(45, fresnel_base, 1e-6, 0.0, 1e-6, 0.0)
 PROBE(46, map_cube_place, 1e-5, 1e-5, 1e-5, 1e-5)
+// Facets and their spreads as above.
+PROBE(47, shading_lobe_sample, 1e-4, 1e-4, 1e-3, 1e-3)

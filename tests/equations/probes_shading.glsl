@@ -78,6 +78,14 @@ Outputs shading_ggx(Inputs i)
     return outputs(light.plain, light.grazing.x);
 }
 
+Outputs shading_lobe_sample(Inputs i)
+{
+    vec3 view = normalize(upper_direction(i.a, i.b) + vec3(0.0, 0.0, 0.2));
+    vec2 t = turn(i.c);
+    LobeSample s = lobe_sample(lobe_sampling(view, 0.1 + 0.9 * i.d, 0.025), vec3(0.9 * i.e, t.x, t.y));
+    return outputs(s.direction, s.weight + s.size + s.grazing + s.variance);
+}
+
 Outputs shading_phong(Inputs i)
 {
     vec3 N = direction(i.a, i.b);

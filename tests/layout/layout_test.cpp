@@ -22,13 +22,15 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"shading", {}},
     {"image", {"base"}},
     {"scene", {"base", "image", "equations"}},
+    {"kitchen", {"base", "image", "equations", "scene"}},
     {"view", {"scene"}},
     {"trace", {"base", "scene"}},
     {"environment", {"base", "image", "equations", "wide"}},
     {"draw", {"base", "image", "scene", "view", "trace", "environment", "equations", "shading", "wide"}},
     {"reference", {"base", "image", "scene", "view", "trace", "environment", "equations", "shading"}},
     {"display", {"image", "equations", "wide"}},
-    {"apps", {"base", "image", "scene", "view", "environment", "draw", "reference", "display"}},
+    {"compare", {"base", "image", "equations"}},
+    {"apps", {"base", "image", "scene", "view", "environment", "draw", "reference", "display", "compare"}},
 };
 
 std::string folder_of(const fs::path& path)

@@ -1,5 +1,7 @@
 #include "apps/cli/arguments.h"
 
+#include "apps/cli/compare_grammar.h"
+#include "apps/cli/grammar.h"
 #include "apps/cli/values.h"
 #include "apps/cli/version.h"
 #include "base/error.h"
@@ -9,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -18,90 +19,16 @@ namespace lambent::cli {
 namespace {
 
 // Words as given; CLI11 fills these, and an empty one was not given.
-struct Words {
+struct Words : CommonWords {
     std::string size, camera, fov, aa;
     std::string rotation, background, ambient, ibl, samples;
     std::string model, mip_level, alpha, kd, ks, density;
     std::string exposure, contrast, tone, space;
-    std::string backend, threads, stats, sun, turbidity;
+    std::string backend, sun, turbidity;
     std::string bounces, spp, noise, time, seed;
     std::vector<std::string> lights;
-    bool quiet = false, verbose = false, no_cache = false, no_compensation = false;
+    bool no_cache = false, no_compensation = false;
 };
-
-// The value that goes with a word. Throws Error(usage) with the words that would do.
-template <class Value>
-Value choose(const std::string& word, const std::string& option,
-             std::initializer_list<std::pair<const char*, Value>> choices)
-{
-    std::string known;
-    for (const auto& [name, value] : choices) {
-        if (word == name)
-            return value;
-        known += text(known.empty() ? "" : ", ", name);
-    }
-    throw Error(Failure::usage, text(option, ": '", word, "' is none of ", known));
-}
-
-float number_in(const std::string& word, const std::string& option, double least, double most)
-{
-    const double value = parse_number(word, option);
-    if (value < least || value > most)
-        throw Error(Failure::usage, text(option, ": ", word, " is not from ", least, " to ", most));
-    return static_cast<float>(value);
-}
-
-float positive(const std::string& word, const std::string& option)
-{
-    const float value = static_cast<float>(parse_number(word, option));
-    if (!(value > 0.0f))
-        throw Error(Failure::usage, text(option, ": ", word, " is not above 0"));
-    return value;
-}
-
-int whole_in(const std::string& word, const std::string& option, int least, int most)
-{
-    const double value = parse_number(word, option);
-    if (value < least || value > most || value != static_cast<double>(static_cast<int>(value)))
-        throw Error(Failure::usage,
-                    text(option, ": ", word, " is not a whole number from ", least, " to ", most));
-    return static_cast<int>(value);
-}
-
-void option(CLI::App& app, const std::string& name, std::string& word, const std::string& kind,
-            const std::string& help)
-{
-    const auto not_empty = [](const std::string& given) { return given.empty() ? "nothing given" : ""; };
-    app.add_option(name, word, help)
-        ->type_name(kind)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
-        ->check(not_empty);
-}
-
-void add_common(CLI::App& app, Words& words)
-{
-    option(app, "--threads", words.threads, "N", "Worker threads (one per processor)");
-    option(app, "--stats", words.stats, "json",
-           "Print what was done and how long it took, as one JSON object");
-    app.add_flag("--quiet", words.quiet, "No progress bar, no warnings");
-    app.add_flag("--verbose", words.verbose, "Say what is being done");
-}
-
-CommonOptions common_options(const Words& words)
-{
-    CommonOptions common;
-    if (words.quiet && words.verbose)
-        throw Error(Failure::usage, "--quiet and --verbose exclude each other");
-    if (words.quiet)
-        common.verbosity = Verbosity::quiet;
-    if (words.verbose)
-        common.verbosity = Verbosity::verbose;
-    if (!words.threads.empty())
-        common.threads = whole_in(words.threads, "--threads", 1, 1024);
-    if (!words.stats.empty())
-        common.stats_json = choose<bool>(words.stats, "--stats", {{"json", true}});
-    return common;
-}
 
 void add_view(CLI::App& app, RenderArguments& arguments, Words& words)
 {
@@ -116,7 +43,7 @@ void add_view(CLI::App& app, RenderArguments& arguments, Words& words)
 void add_light(CLI::App& app, RenderArguments& arguments, Words& words)
 {
     option(app, "--env", arguments.environment, "ENV",
-           "A panorama (.hdr, .exr), or studio, sky, furnace, none (studio)");
+           "A panorama (.hdr, .exr), or kitchen, studio, sky, furnace, none (kitchen)");
     option(app, "--env-rotation", words.rotation, "DEG", "Turn the environment about the vertical (0)");
     option(app, "--background", words.background, "KIND", "env, none, R,G,B or blur:ROUGHNESS (env)");
     app.add_option("--light", words.lights,
@@ -312,6 +239,7 @@ struct Grammar {
     ReferenceArguments reference;
     EnvArguments env;
     InfoArguments info;
+    CompareGrammar compare;
     CLI::App* render_command = nullptr;
     CLI::App* reference_command = nullptr;
     CLI::App* env_command = nullptr;
@@ -325,6 +253,7 @@ struct Grammar {
                    "'lambent COMMAND --help' lists a command's options.");
         add_render();
         add_reference();
+        compare.add(app);
         add_env();
         add_info();
     }
@@ -344,7 +273,7 @@ struct Grammar {
         add_picture(command, reference.picture);
         option(command, "--bounces", words.bounces, "N",
                "Bounces of light; 0: direct light without shadows, 1: with shadows (8)");
-        option(command, "--spp", words.spp, "N", "Stop at N samples per pixel");
+        option(command, "--spp", words.spp, "N", "Stop at N samples per pixel (1024, if no limit is given)");
         option(command, "--noise", words.noise, "REL",
                "Stop at this estimated relative error (0.01, if no limit is given)");
         option(command, "--time", words.time, "S", "Stop after S seconds");
@@ -375,9 +304,12 @@ struct Grammar {
     {
         env_command = app.add_subcommand("env", "Write a built-in environment");
         CLI::App& command = *env_command;
-        command.add_option("name", env.name, "studio, sky or furnace")->type_name("NAME")->required();
+        command.add_option("name", env.name, "kitchen, studio, sky or furnace")
+            ->type_name("NAME")
+            ->required();
         add_output(command, env.output, "The panorama: .hdr or .exr");
-        option(command, "--size", words.size, "WxH", "Size in texels, twice as wide as high (1024x512)");
+        option(command, "--size", words.size, "WxH",
+               "Size in texels, twice as wide as high (1024x512; kitchen 2048x1024)");
         option(command, "--sun", words.sun, "AZ,EL",
                "sky: where the sun stands, degrees, as --camera (-46,40)");
         option(command, "--turbidity", words.turbidity, "T", "sky: haze, 1.5 to 10 (2.2)");
@@ -401,6 +333,8 @@ struct Grammar {
             return finished(words, render);
         if (reference_command->parsed())
             return finished(words, reference);
+        if (compare.parsed())
+            return compare.result();
         if (env_command->parsed())
             return finished(words, env);
         info.common = common_options(words);

@@ -25,7 +25,7 @@ struct CommonOptions {
 struct RenderArguments {
     CommonOptions common;
     std::string scene;
-    std::string environment = "studio";
+    std::string environment = "kitchen";
     std::string output;
     std::string layers; ///< folder; empty: none
     draw::Settings settings;
@@ -42,10 +42,26 @@ struct ReferenceArguments {
     int bounces = 8;
     std::optional<int> samples;    ///< per pixel; unset: no limit
     std::optional<double> noise;   ///< estimated relative RMSE
-    std::optional<double> seconds; ///< none of the three: noise 0.01
+    std::optional<double> seconds; ///< none of the three: noise 0.01 or 1024 samples
     bool uniform = false;          ///< as many samples for every pixel
     std::uint32_t seed = 0;
     std::string variance; ///< file; empty: none
+};
+
+/// Which error the heat map shows.
+enum class Heat { flip, relative, absolute };
+
+struct CompareArguments {
+    CommonOptions common;
+    std::string picture;
+    std::string reference;
+    std::string output; ///< the heat map; empty: none
+    Heat heat = Heat::flip;
+    std::optional<float> exposure; ///< linear light only
+    std::optional<float> clamp;    ///< cut to [0, this], after the exposure
+    double pixels_per_degree = 67.0;
+    std::optional<double> max_flip; ///< bounds that make it exit 1
+    std::optional<double> max_relative;
 };
 
 struct EnvArguments {
@@ -66,7 +82,8 @@ struct PrintText {
     std::string text;
 };
 
-using Arguments = std::variant<PrintText, RenderArguments, ReferenceArguments, EnvArguments, InfoArguments>;
+using Arguments = std::variant<PrintText, RenderArguments, ReferenceArguments, CompareArguments, EnvArguments,
+                               InfoArguments>;
 
 /// Throws Error(usage) with one line for whatever is wrong.
 Arguments parse_arguments(int count, const char* const* words);

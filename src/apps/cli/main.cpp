@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/text.h"
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -34,6 +35,8 @@ int fail(Failure failure, const char* line)
 
 int main(int count, char** words)
 {
+    // A file over the user's limit is a failed write, as on a full disk: reported, and nothing of it left.
+    std::signal(SIGXFSZ, SIG_IGN);
     try {
         run(cli::parse_arguments(count, words));
         // A full disk or a closed pipe shows only here.

@@ -21,7 +21,9 @@
 namespace lambent::cli {
 namespace {
 
+// Without a limit of the user's. Mirrors under a small lamp may never become as quiet as that.
 constexpr double usual_noise = 0.01;
+constexpr int usual_samples = 1024;
 
 std::optional<image::RadianceImage> load_raw_environment(const std::string& name, Warnings& warnings)
 {
@@ -39,11 +41,11 @@ reference::Settings settings_of(const ReferenceArguments& arguments, const scene
     settings.camera = choose_camera(arguments.picture, scene);
     settings.bounces = arguments.bounces;
     settings.seed = arguments.seed;
-    if (arguments.samples)
-        settings.samples = *arguments.samples;
     if (arguments.seconds)
         settings.seconds = *arguments.seconds;
     const bool no_limit = !arguments.samples && !arguments.noise && !arguments.seconds;
+    if (arguments.samples || no_limit)
+        settings.samples = arguments.samples.value_or(usual_samples);
     settings.noise = arguments.noise.value_or(no_limit ? usual_noise : 0.0);
     // A number of samples alone is what people ask for who want to know exactly what they get.
     settings.adaptive = !arguments.uniform && (settings.noise > 0.0 || arguments.seconds);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lambent::draw {
 namespace {
@@ -20,6 +21,8 @@ constexpr float least_shared_cosine = 0.966f;
 // What is left of a ray behind transparent surfaces is not worth following below this.
 constexpr float least_weight = 1.0f / 1024.0f;
 constexpr int most_waves = 256;
+
+constexpr std::uint32_t no_surface = std::numeric_limits<std::uint32_t>::max();
 
 bool same_surface(const Seen& a, const Seen& b)
 {
@@ -145,6 +148,11 @@ void TileDrawer::choose_looks(const TileArea& area)
                 look.y = static_cast<float>(area.y + y) + place.y;
                 edges_.push_back(look);
             }
+            // Counts for nothing, but may stand for those around it.
+            look.x = static_cast<float>(area.x + x) + 0.5f;
+            look.y = static_cast<float>(area.y + y) + 0.5f;
+            look.weight = 0.0f;
+            edges_.push_back(look);
         }
     sight_.look(edges_);
     looks_.insert(looks_.end(), edges_.begin(), edges_.end());
@@ -166,23 +174,49 @@ void TileDrawer::place_fragment(const Look& look, std::size_t at)
 void TileDrawer::build_fragments()
 {
     surfaces_.clear();
+    means_.clear();
+    surface_of_.assign(looks_.size(), no_surface);
     std::size_t first_of_pixel = 0;
-    for (const Look& look : looks_) {
+    for (std::size_t i = 0; i < looks_.size(); ++i) {
+        const Look& look = looks_[i];
         if (!look.hit.found()) {
             background_[look.pixel] += look.weight;
             continue;
         }
         if (surfaces_.empty() || surfaces_.back().pixel != look.pixel)
             first_of_pixel = surfaces_.size();
-        const auto shared =
-            std::find_if(surfaces_.begin() + static_cast<std::ptrdiff_t>(first_of_pixel), surfaces_.end(),
-                         [&](const Look& other) { return shares_shading(look.hit, other.hit); });
-        if (shared != surfaces_.end())
-            shared->weight += look.weight;
-        else
+        std::size_t at = first_of_pixel;
+        while (at < surfaces_.size() && !shares_shading(look.hit, surfaces_[at].hit))
+            ++at;
+        if (at == surfaces_.size() && look.weight <= 0.0f)
+            continue;
+        surface_of_[i] = static_cast<std::uint32_t>(at);
+        if (at == surfaces_.size()) {
             surfaces_.push_back(look);
+            means_.emplace_back(look.weight * look.x, look.weight * look.y);
+        } else {
+            surfaces_[at].weight += look.weight;
+            means_[at] += look.weight * glm::vec2(look.x, look.y);
+        }
     }
+    choose_places();
     place_fragments();
+}
+
+// A surface is lit where the look nearest to the middle of all its looks meets it.
+void TileDrawer::choose_places()
+{
+    const auto distance = [&](const Look& look, std::size_t at) {
+        return glm::length(glm::vec2(look.x, look.y) - means_[at] / surfaces_[at].weight);
+    };
+    for (std::size_t i = 0; i < looks_.size(); ++i) {
+        const std::size_t at = surface_of_[i];
+        if (at == no_surface || distance(looks_[i], at) >= distance(surfaces_[at], at))
+            continue;
+        const float weight = surfaces_[at].weight;
+        surfaces_[at] = looks_[i];
+        surfaces_[at].weight = weight;
+    }
 }
 
 // Gives every instance seen its group, and every surface its place there.

@@ -51,6 +51,7 @@ private:
     bool is_edge(int column, int row) const;
     void choose_looks(const TileArea& area);
     void build_fragments();
+    void choose_places();
     void place_fragments();
     void place_fragment(const Look& look, std::size_t at);
     void shade();
@@ -64,14 +65,16 @@ private:
     Fragments fragments_;
 
     int apron_x_ = 0, apron_y_ = 0, apron_width_ = 0, apron_height_ = 0; ///< the area and one pixel around it
-    std::vector<Look> centres_;           ///< of the apron's pixels, in the order they were looked at
-    std::vector<std::uint32_t> centre_;   ///< [row of the apron][column]: index into centres_
-    std::vector<Seen> seen_;              ///< [row of the apron][column]
-    std::vector<Look> looks_;             ///< of the present wave
-    std::vector<Look> edges_;             ///< several per pixel, where surfaces end
-    std::vector<Look> surfaces_;          ///< looks that became fragments: one per surface and pixel
-    std::vector<std::uint32_t> group_of_; ///< of each of surfaces_
-    std::vector<float> background_;       ///< per pixel of the tile: share that nothing covers
+    std::vector<Look> centres_;             ///< of the apron's pixels, in the order they were looked at
+    std::vector<std::uint32_t> centre_;     ///< [row of the apron][column]: index into centres_
+    std::vector<Seen> seen_;                ///< [row of the apron][column]
+    std::vector<Look> looks_;               ///< of the present wave
+    std::vector<Look> edges_;               ///< several per pixel, where surfaces end
+    std::vector<Look> surfaces_;            ///< looks that became fragments: one per surface and pixel
+    std::vector<glm::vec2> means_;          ///< of each of surfaces_: sum of its looks' places, weighted
+    std::vector<std::uint32_t> surface_of_; ///< of each of looks_: index into surfaces_
+    std::vector<std::uint32_t> group_of_;   ///< of each of surfaces_
+    std::vector<float> background_;         ///< per pixel of the tile: share that nothing covers
 };
 
 } // namespace lambent::draw

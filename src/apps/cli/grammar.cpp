@@ -1,0 +1,67 @@
+#include "apps/cli/grammar.h"
+
+#include "apps/cli/values.h"
+
+namespace lambent::cli {
+
+float number_in(const std::string& word, const std::string& option, double least, double most)
+{
+    const double value = parse_number(word, option);
+    if (value < least || value > most)
+        throw Error(Failure::usage, text(option, ": ", word, " is not from ", least, " to ", most));
+    return static_cast<float>(value);
+}
+
+float positive(const std::string& word, const std::string& option)
+{
+    const float value = static_cast<float>(parse_number(word, option));
+    if (!(value > 0.0f))
+        throw Error(Failure::usage, text(option, ": ", word, " is not above 0"));
+    return value;
+}
+
+int whole_in(const std::string& word, const std::string& option, int least, int most)
+{
+    const double value = parse_number(word, option);
+    if (value < least || value > most || value != static_cast<double>(static_cast<int>(value)))
+        throw Error(Failure::usage,
+                    text(option, ": ", word, " is not a whole number from ", least, " to ", most));
+    return static_cast<int>(value);
+}
+
+void option(CLI::App& app, const std::string& name, std::string& word, const std::string& kind,
+            const std::string& help)
+{
+    const auto not_empty = [](const std::string& given) { return given.empty() ? "nothing given" : ""; };
+    app.add_option(name, word, help)
+        ->type_name(kind)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+        ->check(not_empty);
+}
+
+void add_common(CLI::App& app, CommonWords& words)
+{
+    option(app, "--threads", words.threads, "N", "Worker threads (one per processor)");
+    option(app, "--stats", words.stats, "json",
+           "Print what was done and how long it took, as one JSON object");
+    app.add_flag("--quiet", words.quiet, "No progress bar, no warnings");
+    app.add_flag("--verbose", words.verbose, "Say what is being done");
+}
+
+CommonOptions common_options(const CommonWords& words)
+{
+    CommonOptions common;
+    if (words.quiet && words.verbose)
+        throw Error(Failure::usage, "--quiet and --verbose exclude each other");
+    if (words.quiet)
+        common.verbosity = Verbosity::quiet;
+    if (words.verbose)
+        common.verbosity = Verbosity::verbose;
+    if (!words.threads.empty())
+        common.threads = whole_in(words.threads, "--threads", 1, 1024);
+    if (!words.stats.empty())
+        common.stats_json = choose<bool>(words.stats, "--stats", {{"json", true}});
+    return common;
+}
+
+} // namespace lambent::cli

@@ -1,0 +1,55 @@
+// What the grammars of all commands are made of.
+#pragma once
+
+#include "apps/cli/arguments.h"
+#include "base/error.h"
+#include "base/text.h"
+
+#include <CLI/CLI.hpp>
+
+#include <initializer_list>
+#include <string>
+#include <utility>
+
+namespace lambent::cli {
+
+/// The words of the options that every command has. CLI11 fills them, and an empty one was not given.
+struct CommonWords {
+    std::string threads, stats;
+    bool quiet = false, verbose = false;
+};
+
+/// The value that goes with a word. Throws Error(usage) with the words that would do.
+template <class Value>
+Value choose(const std::string& word, const std::string& option,
+             std::initializer_list<std::pair<const char*, Value>> choices)
+{
+    std::string known;
+    for (const auto& [name, value] : choices) {
+        if (word == name)
+            return value;
+        known += text(known.empty() ? "" : ", ", name);
+    }
+    throw Error(Failure::usage, text(option, ": '", word, "' is none of ", known));
+}
+
+/// A number from `least` to `most`. Throws Error(usage).
+float number_in(const std::string& word, const std::string& option, double least, double most);
+
+/// A number above 0. Throws Error(usage).
+float positive(const std::string& word, const std::string& option);
+
+/// A whole number from `least` to `most`. Throws Error(usage).
+int whole_in(const std::string& word, const std::string& option, int least, int most);
+
+/// Adds an option with one word, of which the last counts. The help names its `kind`.
+void option(CLI::App& app, const std::string& name, std::string& word, const std::string& kind,
+            const std::string& help);
+
+/// Adds --threads, --stats, --quiet and --verbose.
+void add_common(CLI::App& app, CommonWords& words);
+
+/// What they say. Throws Error(usage).
+CommonOptions common_options(const CommonWords& words);
+
+} // namespace lambent::cli

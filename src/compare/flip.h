@@ -1,0 +1,37 @@
+// FLIP: how different two pictures look to someone who flips between them.
+//
+// LDR-FLIP: Andersson et al. 2020, "FLIP: A Difference Evaluator for Alternating Images", HPG.
+// HDR-FLIP: Andersson et al. 2021, "Visualizing Errors in Rendered High Dynamic Range Images", Eurographics.
+#pragma once
+
+#include "compare/difference.h"
+#include "compare/error_map.h"
+#include "compare/flip_exposures.h"
+#include "compare/flip_filters.h"
+
+#include <functional>
+
+namespace lambent::compare {
+
+/// Told the share that is done, from 0 to 1, by one thread at a time.
+using Progress = std::function<void(float)>;
+
+struct FlipSettings {
+    double pixels_per_degree = usual_pixels_per_degree;
+    Progress progress; ///< may be empty
+};
+
+/// Errors from 0 (no difference to be seen) to 1, between pictures that hold sRGB codes in [0, 1]. Symmetric.
+/// Throws std::invalid_argument for pictures of different size.
+ErrorMap ldr_flip(const Pair& pair, const FlipSettings& settings = {});
+
+struct HdrFlip {
+    ErrorMap map;
+    Exposures exposures;
+};
+
+/// The same for linear light: the largest LDR-FLIP error at any exposure that makes sense for the reference. Not
+/// symmetric; the same whatever both pictures are multiplied with.
+HdrFlip hdr_flip(const Pair& pair, const FlipSettings& settings = {});
+
+} // namespace lambent::compare

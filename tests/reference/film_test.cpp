@@ -1,0 +1,125 @@
+// Means and variances of pixels, against the formula written out.
+#include "reference/film.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace lambent::reference {
+namespace {
+
+// Samples of a pixel: some skewed law with mean 1/3, 2/3 and 1 and variances 4/45 times 1, 4 and 9.
+Sight sample(std::mt19937& random)
+{
+    std::uniform_real_distribution<double> uniform;
+    const double u = uniform(random), v = u * u;
+    return {{v, 2.0 * v, 3.0 * v}, u < 0.25 ? 0.0 : 1.0};
+}
+
+// Variance of the mean by 8 replicates: their means' sample variance over 8.
+double direct_variance(const std::vector<double>& values)
+{
+    const std::size_t used = std::min<std::size_t>(values.size(), Film::replicates);
+    std::vector<double> means;
+    for (std::size_t r = 0; r < used; ++r) {
+        double sum = 0.0, count = 0.0;
+        for (std::size_t i = r; i < values.size(); i += Film::replicates, count += 1.0)
+            sum += values[i];
+        means.push_back(sum / count);
+    }
+    double mean = 0.0, squares = 0.0;
+    for (const double m : means)
+        mean += m / static_cast<double>(used);
+    for (const double m : means)
+        squares += (m - mean) * (m - mean);
+    return used > 1 ? squares / static_cast<double>(used - 1) / static_cast<double>(used) : 0.0;
+}
+
+TEST(ReferenceFilm, MeanAndVarianceAreTheFormulas)
+{
+    for (const int count : {1, 2, 5, 8, 9, 16, 23, 400}) {
+        Film film(19, 17); // four tiles, three of them cut off
+        std::mt19937 random(static_cast<unsigned>(count));
+        std::vector<std::vector<double>> values(19 * 17);
+        std::vector<double> covered(19 * 17, 0.0);
+        for (int y = 0; y < 17; ++y)
+            for (int x = 0; x < 19; ++x)
+                for (int i = 0; i < count; ++i) {
+                    const Sight sight = sample(random);
+                    const auto at = static_cast<std::size_t>(19 * y + x);
+                    values[at].push_back(sight.radiance.y);
+                    covered[at] += sight.coverage / count;
+                    film.add(x, y, i, sight);
+                }
+        ASSERT_EQ(film.tile_count(), 4);
+        for (int tile = 0; tile < 4; ++tile)
+            film.finish(tile, count);
+        EXPECT_EQ(film.mean_samples(), count);
+        const image::RadianceImage radiance = film.radiance(), variance = film.variance();
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            double mean = 0.0;
+            for (const double v : values[i])
+                mean += v / count;
+            EXPECT_NEAR(radiance.values[4 * i + 1], mean, 1e-5);
+            EXPECT_NEAR(radiance.values[4 * i + 2], 1.5 * mean, 1e-5);
+            EXPECT_NEAR(radiance.values[4 * i + 3], covered[i], 1e-5);
+            EXPECT_NEAR(variance.values[3 * i + 1], direct_variance(values[i]), 1e-6);
+        }
+    }
+}
+
+TEST(ReferenceFilm, TilesCoverThePictureOnce)
+{
+    const Film film(50, 33);
+    std::vector<int> covered(50 * 33, 0);
+    for (int tile = 0; tile < film.tile_count(); ++tile) {
+        const Film::Area a = film.area(tile);
+        for (int y = a.y; y < a.y + a.height; ++y)
+            for (int x = a.x; x < a.x + a.width; ++x)
+                ++covered.at(static_cast<std::size_t>(50 * y + x));
+    }
+    EXPECT_EQ(covered, std::vector<int>(50 * 33, 1));
+}
+
+// 100 x 100 pixels: the mean of their variances is that of the law within 5 of its own deviations. The sample variance
+// of n normal values is off by sqrt(2 / (n - 1)) of itself; of so skewed a law by up to twice that.
+TEST(ReferenceFilm, VarianceIsUnbiased)
+{
+    constexpr int size = 100;
+    for (const int count : {2, 8, 16, 64}) {
+        Film film(size, size);
+        std::mt19937 random(7);
+        for (int y = 0; y < size; ++y)
+            for (int x = 0; x < size; ++x)
+                for (int i = 0; i < count; ++i)
+                    film.add(x, y, i, sample(random));
+        for (int tile = 0; tile < film.tile_count(); ++tile)
+            film.finish(tile, count);
+        const image::RadianceImage variance = film.variance();
+        double sum = 0.0;
+        for (std::size_t i = 0; i < variance.values.size(); i += 3)
+            sum += static_cast<double>(variance.values[i]);
+        const double replicates = std::min(count, Film::replicates);
+        EXPECT_NEAR(sum / (size * size) * count / (4.0 / 45.0), 1.0,
+                    5.0 * 2.0 * std::sqrt(2.0 / (replicates - 1.0)) / size);
+    }
+}
+
+// One tile quiet, one not, by hand: pixels with replicates 1 and 3 have variance 1 of the mean of two samples.
+TEST(ReferenceFilm, NoiseIsTheRootMeanSquareOverTheMean)
+{
+    Film film(32, 16);
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 32; ++x)
+            for (int i = 0; i < 2; ++i)
+                film.add(x, y, i, {glm::dvec3(x < 16 ? 2.0 : 1.0 + 2.0 * i), 1.0});
+    film.finish(0, 2);
+    film.finish(1, 2);
+    EXPECT_NEAR(film.tile_variance(0), 0.0, 1e-12);
+    EXPECT_NEAR(film.tile_variance(1), 1.0, 1e-12);
+    EXPECT_NEAR(film.relative_noise(), std::sqrt(0.5) / 2.0, 1e-12);
+}
+
+} // namespace
+} // namespace lambent::reference

@@ -1,0 +1,126 @@
+// When the tracer stops, and what there is then.
+#include "tests/reference/traced.h"
+
+namespace lambent::reference {
+namespace {
+
+using namespace testing;
+
+// Half of the picture is a wall, half is nothing; the light is noisy.
+scene::Scene half_wall()
+{
+    scene::Mesh wall = facing_square(1.0f, 0.0f);
+    for (glm::vec3& p : wall.positions)
+        p.x += 1.0f;
+    return scene_of(wall, metallic(0.7f, 0.0f, 0.9f));
+}
+
+image::RadianceImage noisy_light()
+{
+    return panorama_of(
+        64, [](const glm::dvec3& d) { return glm::dvec3(d.y > 0.0 ? 1.0 + 3.0 * d.x * d.x : 0.2); });
+}
+
+TEST(ReferenceStopping, AtTheNumberOfSamples)
+{
+    const image::RadianceImage light = noisy_light();
+    for (const int samples : {1, 2, 7, 8, 15, 16, 17, 100}) {
+        const Result result = trace(half_wall(), &light, small_settings(20, 2.0f, samples));
+        EXPECT_EQ(result.samples, samples);
+        EXPECT_FALSE(result.stopped);
+        EXPECT_EQ(result.radiance.width, 20);
+        EXPECT_EQ(result.variance.channels, 3);
+        if (samples > 1) {
+            EXPECT_GT(result.noise, 0.0);
+        }
+    }
+}
+
+TEST(ReferenceStopping, AtTheNoise)
+{
+    const image::RadianceImage light = noisy_light();
+    for (const bool adaptive : {false, true})
+        for (const double noise : {0.05, 0.01}) {
+            Settings settings = small_settings(32, 2.0f, 1 << 14);
+            settings.noise = noise;
+            settings.adaptive = adaptive;
+            const Result result = trace(half_wall(), &light, settings);
+            EXPECT_LE(result.noise, noise);
+            EXPECT_LT(result.samples, 1 << 13);
+        }
+}
+
+TEST(ReferenceStopping, AtOnceWhenTheTimeIsUpButWithEveryPixel)
+{
+    const scene::Scene scene = scene_of(facing_square(5.0f, 0.0f), unlit({1.0f, 2.0f, 3.0f}));
+    Settings settings = small_settings(48, 1.0f, 1 << 20);
+    settings.seconds = 1e-9;
+    const Result result = trace(scene, nullptr, settings);
+    EXPECT_EQ(result.samples, 1.0);
+    expect_light(result, {1.0, 2.0, 3.0});
+}
+
+TEST(ReferenceStopping, WhenAskedToButWithEveryPixel)
+{
+    const scene::Scene scene = scene_of(facing_square(5.0f, 0.0f), unlit({1.0f, 2.0f, 3.0f}));
+    const Result result =
+        trace(scene, nullptr, small_settings(48, 1.0f, 1 << 20), [](const Progress&) { return false; });
+    EXPECT_TRUE(result.stopped);
+    EXPECT_EQ(result.samples, 1.0);
+    for (int y = 0; y < 48; ++y)
+        for (int x = 0; x < 48; ++x) {
+            EXPECT_EQ(result.radiance.pixel(x, y)[1], 2.0f);
+            EXPECT_EQ(result.radiance.pixel(x, y)[3], 1.0f);
+        }
+}
+
+// Within a round: some tiles have more samples than others, all of them are means.
+TEST(ReferenceStopping, InTheMiddleTheMeansAreStillMeans)
+{
+    const scene::Scene scene = scene_of(facing_square(5.0f, 0.0f), unlit({1.0f, 2.0f, 3.0f}));
+    int asked = 0;
+    double last = 0.0;
+    const Result result = trace(scene, nullptr, small_settings(48, 1.0f, 1 << 20), [&](const Progress& p) {
+        EXPECT_GE(p.done, 0.0);
+        EXPECT_LE(p.done, 1.0);
+        EXPECT_GE(p.samples, last);
+        last = p.samples;
+        return ++asked < 40;
+    });
+    EXPECT_EQ(asked, 40);
+    EXPECT_TRUE(result.stopped);
+    EXPECT_GT(result.samples, 1.0);
+    expect_light(result, {1.0, 2.0, 3.0}, 1e-6);
+}
+
+TEST(ReferenceStopping, AdaptiveAndUniformPicturesAgree)
+{
+    const image::RadianceImage light = noisy_light();
+    Settings settings = small_settings(32, 2.0f, 512);
+    const Result uniform = trace(half_wall(), &light, settings);
+    settings.adaptive = true;
+    settings.seed = 1;
+    const Result adaptive = trace(half_wall(), &light, settings);
+    EXPECT_NEAR(adaptive.samples, 512.0, 8.0);
+    // The wall, to which samples move from where there is only darkness, is less noisy for it.
+    for (int c = 0; c < 3; ++c) {
+        const Average a = average(uniform, {16, 0, 16, 32}, c), b = average(adaptive, {16, 0, 16, 32}, c);
+        EXPECT_NEAR(a.mean, b.mean, deviations * std::hypot(a.deviation, b.deviation));
+        EXPECT_LT(b.deviation, 0.9 * a.deviation);
+    }
+}
+
+// Nothing at all, and lit by nothing.
+TEST(ReferenceStopping, AnEmptySceneIsBlack)
+{
+    scene::Scene scene;
+    scene.materials.emplace_back();
+    Settings settings = small_settings(17, 1.0f, 16);
+    settings.noise = 0.01;
+    const Result result = trace(scene, nullptr, settings);
+    expect_light(result, glm::dvec3(0.0));
+    EXPECT_EQ(result.noise, 0.0);
+}
+
+} // namespace
+} // namespace lambent::reference
