@@ -80,8 +80,10 @@ Reflection::Reflection(const Surface& surface, view::Model model, bool energy_co
         glossy = luminance(in_double::fresnel_schlick(text(surface.specular), NV_));
         diffuse = luminance(text(surface.base));
     }
+    // Rough metals, whose visible normals often mirror below the surface, get some directions by the cosine as well.
+    const double most = model == view::Model::ggx ? 1.0 - 0.5 * surface.gloss * surface.gloss : 1.0;
     // Neither is left out altogether, unless it is nothing at all: colours differ from their luminance.
-    glossy_share_ = diffuse > 0.0 ? std::clamp(glossy / std::max(glossy + diffuse, 1e-12), 0.1, 0.9) : 1.0;
+    glossy_share_ = diffuse > 0.0 ? std::clamp(glossy / std::max(glossy + diffuse, 1e-12), 0.1, 0.9) : most;
 }
 
 glm::dvec3 Reflection::value(const glm::dvec3& light) const

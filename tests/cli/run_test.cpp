@@ -136,7 +136,7 @@ TEST(Run, LayersAreWrittenToLookAtAndToCompute)
 TEST(Run, EnvironmentsAreWrittenAndReadBack)
 {
     const Folder folder;
-    for (const char* name : {"studio", "sky", "furnace"})
+    for (const char* name : {"kitchen", "studio", "sky", "furnace"})
         for (const char* extension : {".hdr", ".exr"}) {
             const std::string path = folder.path(std::string(name) + extension);
             ASSERT_EQ(lambent({"env", name, "-o", path, "--size", "256x128"}).code, 0);

@@ -44,7 +44,7 @@ void expect_sound(const image::RadianceImage& image, int width, const std::strin
 
 TEST(Builtin, KnowsItsNames)
 {
-    EXPECT_EQ(builtin_names().size(), 3u);
+    EXPECT_EQ(builtin_names().size(), 4u);
     for (const std::string_view name : builtin_names()) {
         EXPECT_TRUE(is_builtin(name));
         expect_sound(make_builtin(name, {.width = 64}), 64, std::string(name));
@@ -62,9 +62,32 @@ TEST(Builtin, AFurnaceIsOneEverywhere)
             ASSERT_EQ(value, 1.0f);
 }
 
+TEST(Builtin, TheirUsualWidths)
+{
+    EXPECT_EQ(make_builtin("kitchen").width, 2048);
+    EXPECT_EQ(make_builtin("furnace").width, 1024);
+}
+
+// Smaller and larger ones of the kitchen hold the same light.
+TEST(Builtin, TheKitchenIsAsBrightAtEverySize)
+{
+    const auto light = [](int width) {
+        const image::RadianceImage image = make_builtin("kitchen", {.width = width});
+        double sum = 0.0;
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < 3 * width; ++x)
+                sum += std::sin((y + 0.5) / image.height * std::numbers::pi) *
+                       static_cast<double>(image.pixel(0, y)[x]);
+        return sum / width / image.height;
+    };
+    const double usual = light(2048);
+    for (const int width : {64, 512, 4096})
+        EXPECT_NEAR(light(width), usual, 3e-3 * usual) << width;
+}
+
 TEST(Builtin, RefusesWidths)
 {
-    for (const int width : {-1024, -1, 0, 1, 32, 63, 65, 96, 1000, 16384, std::numeric_limits<int>::min(),
+    for (const int width : {-1024, -1, 1, 32, 63, 65, 96, 1000, 16384, std::numeric_limits<int>::min(),
                             std::numeric_limits<int>::max()})
         for (const std::string_view name : builtin_names())
             EXPECT_NE(refusal(name, {.width = width}).find("panorama width"), std::string::npos);

@@ -1,5 +1,6 @@
 #include "apps/kitchen/trace_kitchen.h"
 
+#include "apps/kitchen/smooth.h"
 #include "environment/builtin.h"
 #include "kitchen/kitchen.h"
 #include "reference/tracer.h"
@@ -72,6 +73,32 @@ reference::Settings settings_of(const KitchenTrace& trace)
     return settings;
 }
 
+image::RadianceImage without_alpha(const image::RadianceImage& image)
+{
+    image::RadianceImage rgb{image.width, image.height, 3, {}};
+    for (std::size_t i = 0; i < image.values.size(); ++i)
+        if (i % 4 != 3)
+            rgb.values.push_back(image.values[i]);
+    return rgb;
+}
+
+// Light of sky and sun in the units of the panorama. Their noise is taken out apart: the edges of the sun's patches would
+// hide in the noise of the sky.
+image::RadianceImage combined(const scene::Scene& scene, const reference::Result& sky,
+                              const reference::Result& sun, bool smooth)
+{
+    image::RadianceImage sum = without_alpha(sky.radiance), other = without_alpha(sun.radiance);
+    if (smooth) {
+        const std::vector<FirstHit> hits =
+            first_hits(scene, {kitchen::kitchen_viewpoint(), sum.width, sum.height, 16});
+        sum = smoothed(sum, sky.variance, hits);
+        other = smoothed(other, sun.variance, hits);
+    }
+    for (std::size_t i = 0; i < sum.values.size(); ++i)
+        sum.values[i] = kitchen::exposure * (sum.values[i] + other.values[i]);
+    return sum;
+}
+
 } // namespace
 
 KitchenPicture trace_kitchen(const KitchenTrace& trace, const std::function<void(double)>& report)
@@ -91,14 +118,7 @@ KitchenPicture trace_kitchen(const KitchenTrace& trace, const std::function<void
     for (scene::Material& material : scene.materials)
         material.emissive = glm::vec3(0.0f);
     const reference::Result sun = reference::trace(scene, &outside.sun, settings, go_on);
-    KitchenPicture picture{
-        {trace.width, trace.height, 3, {}}, sky.noise, sun.noise, sky.samples, sun.samples};
-    picture.radiance.values.reserve(sky.radiance.values.size() / 4 * 3);
-    for (std::size_t i = 0; i < sky.radiance.values.size(); ++i)
-        if (i % 4 != 3)
-            picture.radiance.values.push_back(kitchen::exposure *
-                                              (sky.radiance.values[i] + sun.radiance.values[i]));
-    return picture;
+    return {combined(scene, sky, sun, trace.smooth), sky.noise, sun.noise, sky.samples, sun.samples};
 }
 
 } // namespace lambent
