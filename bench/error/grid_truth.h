@@ -1,7 +1,7 @@
 // What the built-in scene `grid` shows of an environment's light without shadows, by brute force in double.
 #pragma once
 
-#include "draw/camera.h"
+#include "draw/settings.h"
 #include "environment/panorama.h"
 #include "scene/scene.h"
 
