@@ -111,6 +111,54 @@ void take_out_sparks(Picture& picture, const Size& size, std::span<const FirstHi
     });
 }
 
+// Light of blocks of a picture, read between their middles.
+struct Blocks {
+    int size, columns, rows;
+    std::vector<glm::vec3> light;
+
+    Blocks(const image::RadianceImage& image, int block)
+        : size(block), columns((image.width + block - 1) / block), rows((image.height + block - 1) / block),
+          light(static_cast<std::size_t>(columns * rows), glm::vec3(0.0f))
+    {
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x) {
+                const float* c = image.pixel(x, y);
+                light[static_cast<std::size_t>(y / size * columns + x / size)] += glm::vec3(c[0], c[1], c[2]);
+            }
+    }
+
+    glm::vec3 at(int x, int y) const
+    {
+        const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(size) - 0.5f;
+        const float v = (static_cast<float>(y) + 0.5f) / static_cast<float>(size) - 0.5f;
+        const float left = std::floor(u), top = std::floor(v);
+        const auto one = [&](float column, float row) {
+            const int i = (static_cast<int>(column) + columns) % columns;
+            const int j = std::clamp(static_cast<int>(row), 0, rows - 1);
+            return light[static_cast<std::size_t>(j * columns + i)];
+        };
+        return glm::mix(glm::mix(one(left, top), one(left + 1.0f, top), u - left),
+                        glm::mix(one(left, top + 1.0f), one(left + 1.0f, top + 1.0f), u - left), v - top);
+    }
+};
+
+// What sparks and filter took is given back to the blocks that it came from.
+void give_back(image::RadianceImage& smooth, const image::RadianceImage& traced)
+{
+    const int block = std::clamp(smooth.width / 32, 4, 64);
+    Blocks ratio(smooth, block);
+    const Blocks wanted(traced, block);
+    for (std::size_t i = 0; i < ratio.light.size(); ++i)
+        ratio.light[i] =
+            glm::clamp(wanted.light[i] / glm::max(ratio.light[i], glm::vec3(1e-20f)), 0.5f, 2.0f);
+    for (int y = 0; y < smooth.height; ++y)
+        for (int x = 0; x < smooth.width; ++x) {
+            const glm::vec3 factor = ratio.at(x, y);
+            for (int c = 0; c < 3; ++c)
+                smooth.pixel(x, y)[c] *= factor[c];
+        }
+}
+
 } // namespace
 
 image::RadianceImage smoothed(const image::RadianceImage& radiance, const image::RadianceImage& variance,
@@ -141,6 +189,7 @@ image::RadianceImage smoothed(const image::RadianceImage& radiance, const image:
     for (std::size_t i = 0; i < picture.size(); ++i)
         for (int c = 0; c < 3; ++c)
             result.values.push_back(picture[i].light[c] * hits[i].albedo[c]);
+    give_back(result, radiance);
     return result;
 }
 
