@@ -58,6 +58,9 @@ std::vector<Command> commands(const fs::path& page)
     return commands;
 }
 
+// Files that commands read: two that are there, and what commands before them wrote.
+const std::set<std::string> inputs = {"model.glb", "panorama.hdr", "picture.exr", "reference.exr"};
+
 // Runs a command with the files it names in the folder; the last word of those after -o is returned.
 fs::path run_in(const Folder& folder, Command command)
 {
@@ -66,7 +69,7 @@ fs::path run_in(const Folder& folder, Command command)
         std::string& word = command[i];
         if (i > 0 && command[i - 1] == "-o")
             word = output = folder.path(fs::path(word).filename().string());
-        else if (word == "model.glb" || word == "panorama.hdr")
+        else if (inputs.contains(word))
             word = folder.path(word);
     }
     const Outcome outcome = testing::run_program(LAMBENT_PROGRAM, command);
