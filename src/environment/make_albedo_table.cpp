@@ -18,20 +18,24 @@ vec2 albedo(double NV, double alpha)
     const double sine = std::sqrt(1.0 - NV * NV);
     const vec3 stretched = stretched_view({sine, 0.0, NV}, alpha);
     double all = 0.0, grazing = 0.0;
-    for (int j = 0; j < heights; ++j)
+    for (int j = 0; j < heights; ++j) {
+        // Closer together towards the lobe's tail, where evenly spaced points miss 0.1 % of the lobe of a smooth metal.
+        const double left = 1.0 - (j + 0.5) / heights;
+        const double height = 1.0 - left * left * left, weight = 3.0 * left * left;
         for (int i = 0; i < azimuths; ++i) {
             // Half the circle: the other half is its mirror image.
             const double phi = std::numbers::pi * (i + 0.5) / azimuths;
-            const vec3 point((j + 0.5) / heights, std::cos(phi), std::sin(phi));
+            const vec3 point(height, std::cos(phi), std::sin(phi));
             const VisibleFacet facet = sample_visible_ggx(stretched, alpha, point);
             const double VH = sine * facet.normal.x + NV * facet.normal.z;
             const double NL = 2.0 * VH * facet.normal.z - NV;
             if (NL <= 0.0)
                 continue;
-            const double kept = shadowing_ggx(NL, NV, alpha);
+            const double kept = weight * shadowing_ggx(NL, NV, alpha);
             all += kept;
             grazing += kept * schlick_weight(VH);
         }
+    }
     constexpr double count = azimuths * heights;
     return {(all - grazing) / count, grazing / count};
 }
