@@ -1,4 +1,4 @@
-#include "bench/error/grid_truth.h"
+#include "bench/grid/grid_truth.h"
 
 #include "environment/albedo_table.h"
 #include "equations/in_double.h"

@@ -1,7 +1,7 @@
 // How far the drawn `grid` is from the integral of the environment's light, sphere by sphere:
 //   bench_grid_error [--cache FOLDER] [--samples N]... [ENVIRONMENT...]
 // An environment is a built-in's name or a panorama's path; none: studio and sky. Truths are kept in FOLDER.
-#include "bench/error/grid_truth.h"
+#include "bench/grid/grid_truth.h"
 #include "draw/cpu/cpu_renderer.h"
 #include "environment/builtin.h"
 #include "environment/environment.h"
