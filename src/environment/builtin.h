@@ -9,7 +9,8 @@
 namespace lambent::environment {
 
 struct BuiltinOptions {
-    int width = 0; ///< of the panorama, a power of two from 64 to 8192; half as high. 0: 1024, the kitchen 2048
+    int width =
+        0; ///< of the panorama, a power of two from 64 to 8192; half as high. 0: 1024, the kitchen 2048
     float sun_azimuth = -0.8f;  ///< radians about +Y as a camera's azimuth: 0 is on the +Z side (sky)
     float sun_elevation = 0.7f; ///< radians above the horizon, -0.1 to pi/2 (sky)
     float turbidity = 2.2f;     ///< haze: 1.5 (clear) to 10 (sky)
