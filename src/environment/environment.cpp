@@ -60,8 +60,11 @@ std::vector<Panorama> mip_chain(const Panorama& panorama)
 Environment make_environment(Panorama panorama)
 {
     Environment environment;
-    tbb::parallel_invoke([&] { environment.chain = make_chain(panorama); },
+    Blurs blurs;
+    tbb::parallel_invoke([&] { blurs = make_blurs(panorama); },
                          [&] { environment.irradiance = irradiance_of(panorama); });
+    environment.chain = std::move(blurs.chain);
+    environment.lamps = std::move(blurs.lamps);
     environment.panorama = std::move(panorama);
     return environment;
 }

@@ -3,6 +3,7 @@
 
 #include "environment/cube_chain.h"
 #include "environment/irradiance.h"
+#include "environment/lamps.h"
 #include "environment/panorama.h"
 
 #include <vector>
@@ -12,6 +13,7 @@ namespace lambent::environment {
 struct Environment {
     Panorama panorama;        ///< the picture itself: background
     CubeChain chain;          ///< Gaussian blurs: specular light
+    Lamps lamps;              ///< what the coarse ones of them do without
     IrradianceMap irradiance; ///< diffuse light
 };
 
@@ -22,7 +24,13 @@ Environment make_environment(Panorama panorama);
 /// The panorama is first enlarged by bilinear interpolation to powers of two if it is not.
 std::vector<Panorama> mip_chain(const Panorama& panorama);
 
-/// The chain of blurs alone. [see equations/footprint.glsl for why Gaussians]
-CubeChain make_chain(const Panorama& panorama);
+/// The chain of blurs, and the lamps that are not in all its levels.
+struct Blurs {
+    CubeChain chain;
+    Lamps lamps;
+};
+
+/// [see equations/footprint.glsl for why Gaussians]
+Blurs make_blurs(const Panorama& panorama);
 
 } // namespace lambent::environment

@@ -157,12 +157,13 @@ GaussianTaps gaussian_taps(int count, float deviation)
     return taps;
 }
 
-CubeChain make_chain(const Panorama& panorama)
+Blurs make_blurs(const Panorama& panorama)
 {
     const int log2_size = log2_face_size(panorama.width);
     if (panorama.width > (6 << log2_size) && panorama.width % 2 == 0 && panorama.height % 2 == 0)
-        return make_chain(halved(panorama));
-    CubeChain chain;
+        return make_blurs(halved(panorama));
+    Blurs blurs;
+    CubeChain& chain = blurs.chain;
     chain.allocate(log2_size, log2_size);
     const int size = chain.face_size(0);
     const std::vector<TexelPoint> points = texel_points(panorama.width, size);
@@ -172,10 +173,12 @@ CubeChain make_chain(const Panorama& panorama)
     for (int level = 1; level < chain.levels; ++level)
         blur_level(level, chain);
     if (!peaks.peaks.empty()) {
-        tbb::parallel_for(1, chain.levels, [&](int level) { add_peaks(peaks, level, chain); });
+        blurs.lamps = choose_lamps(peaks, chain);
+        const int end = std::min(blurs.lamps.last_level + 1, chain.levels);
+        tbb::parallel_for(1, std::max(end, 1), [&](int level) { add_peaks(peaks, level, chain); });
         resample({&panorama, brightest_of_all, points}, around(peaks, size), chain);
     }
-    return chain;
+    return blurs;
 }
 
 } // namespace lambent::environment

@@ -18,4 +18,17 @@ Real level_of_variance(Real variance)
 // is least at 0.55 (by 9 to 17 %), but there a sun shows each sample as a dot; at 0.67 none is seen.
 // [footprint from density: Colbert and Krivanek 2007, GPU Gems 3 ch. 20; measured by tests/draw/specular_error_test]
 // Witness: a sun through a lobe of such samples has one maximum, and the lobe's shape.
-Real variance_of_spread(Real spread) { return 0.45 * spread; }
+Real variance_of_spread(Real spread) { return 0.3 * spread; }
+
+// How much of a blur of `variance`, read between two levels, is of the coarser one. The levels' own variances in .x and .y.
+// Witness: the variance of the blend.
+Real share_of_coarser(Real variance, vec2 levels) { return clamp((variance - levels.x) / (levels.y - levels.x), 0.0, 1.0); }
+
+// Density on the sphere of a Gaussian of that angular variance (up to about half a radian squared), from the square of the
+// chord to its middle. [Fisher 1953, "Dispersion on a sphere"] Witness: quadrature gives 1, and the variance.
+Real gaussian_on_sphere(Real chord2, Real variance)
+{
+    Real kappa = 1.0 / variance;
+    return 0.15915494309189535 * kappa * exp2(max(-0.7213475204444817 * kappa * chord2, -120.0)) /
+           (1.0 - exp2(max(-2.8853900817779268 * kappa, -120.0)));
+}

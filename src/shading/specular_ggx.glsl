@@ -1,8 +1,8 @@
 // Light from the environment reflected by GGX facets, N samples. Hooks: see README.md.
 
 // A point that mirrors: shading normal, direction to the viewer, dot(normal, view) > 0, what is across for the viewer
-// (any direction but the view, the same for a whole picture), alpha, and how the mirrored direction changes from one
-// pixel to the next, to the right and downwards.
+// (any direction but the view, the same for a whole picture), alpha, how the mirrored direction changes from one pixel to
+// the next, to the right and downwards, and the directional albedo (energy.glsl).
 struct Mirror {
     vec3 normal;
     vec3 view;
@@ -10,6 +10,7 @@ struct Mirror {
     Real alpha;
     vec3 mirrored_dx;
     vec3 mirrored_dy;
+    vec2 albedo;
 };
 
 // Radiance averaged over the lobe with Schlick's weight (grazing) and with what that leaves (plain): what
@@ -98,6 +99,91 @@ LobeSample lobe_sample(LobeSampling s, vec3 point)
     return result;
 }
 
+// What a lobe sends on of light from direction L, in the surface's frame, in LobeLight's two parts before they are divided
+// by the albedo; and the variance of the blur that a sample there would be read through. Where the pixel sees the mirrored
+// picture wider than the lobe is, the lobe is cut off at 1 / cut.
+struct LampWeights {
+    vec2 parts;
+    Real variance;
+};
+
+// Witness: brdf_metallic.
+LampWeights lamp_weights(LobeSampling s, vec3 L, Real cut)
+{
+    Real half2 = max(0.5 + 0.5 * dot(s.view, L), 1.0e-6); // VH squared
+    Real inverse = inversesqrt(half2);
+    Real NL = max(L.z, 0.0);
+    Real NH = clamp(0.5 * (L.z + s.view.z) * inverse, 0.0, 1.0);
+    Real sine2 = (1.0 - NH) * (1.0 + NH);
+    Real cosine2 = NH * NH;
+    Real a2 = s.alpha * s.alpha;
+    Real slope = sine2 + a2 * cosine2;
+    // density_ggx times visibility_ggx times NL, with one division.
+    Real over = 0.15915494309189535 * a2 * NL;
+    Real under = slope * slope * (NL * s.SV + s.view.z * smith_ggx(NL, s.alpha));
+    Real lobe = over / max(under + cut * over, 1.0e-25);
+    Real grazing = lobe * schlick_weight(min(half2 * inverse, 1.0));
+    Real spread = cosine2 + sine2 / (s.wide_alpha * s.wide_alpha);
+    LampWeights w = {vec2(lobe - grazing, grazing), s.variance * spread * spread};
+    return w;
+}
+
+// How a pixel sees a mirror: the middle of the mirrored directions, and their density over the sphere as a Gaussian of a
+// pixel's own variance, a twelfth: `right` and `down` give the place in the pixel, by dot product; size is its solid angle.
+struct Footprint {
+    vec3 middle;
+    vec3 right;
+    vec3 down;
+    Real size;
+};
+
+Footprint footprint_of(Mirror m)
+{
+    vec3 area = cross(m.mirrored_dx, m.mirrored_dy);
+    Real size2 = dot(area, area);
+    Real inverse = 1.0 / max(size2, 1.0e-30);
+    Footprint f = {mirrored(m.normal, m.view), inverse * cross(m.mirrored_dy, area), inverse * cross(area, m.mirrored_dx),
+                   sqrt(size2)};
+    return f;
+}
+
+// Density per solid angle with which a pixel sees direction L. Witness: quadrature gives 1, and the variance.
+Real density_in_pixel(Footprint f, vec3 L)
+{
+    Real x = dot(L, f.right);
+    Real y = dot(L, f.down);
+    Real density = 1.909859317102744 * exp2(-8.656170245333781 * min(x * x + y * y, 12.0)) / max(f.size, 1.0e-15);
+    return select(dot(L, f.middle) > 0.0, density, 0.0);
+}
+
+// The lamps' light, to the extent that the chain is without it where a sample would read it: through the lobe, and, as far
+// as the pixel is wider than that (pixel_share of 1), through the pixel. shared_variance is what all samples are blurred by.
+LobeLight lamps_ggx(Environment environment, Mirror m, LobeSampling s, Real pixel_share, Real shared_variance)
+{
+    mat3 frame = carried_frame(m.normal, m.view, m.across);
+    Footprint footprint = footprint_of(m);
+    vec2 variances = lamp_variances(environment);
+    Real p2 = pixel_share * pixel_share;
+    Real in_pixel = p2 * p2 * p2;
+    Real cut = in_pixel * footprint.size / max(m.albedo.x + m.albedo.y, 1.0e-6);
+    Real through_pixel = in_pixel * share_of_coarser(s.variance + shared_variance, variances);
+    vec3 plain = vec3(0.0);
+    vec3 grazing = vec3(0.0);
+    vec3 mirrored_light = vec3(0.0);
+    for (int i = 0; i < lamp_count(environment); ++i) {
+        vec3 L = lamp_direction(environment, i);
+        vec3 light = lamp_light(environment, i);
+        LampWeights w = lamp_weights(s, in_frame(frame, L), cut);
+        Real share = share_of_coarser(w.variance + shared_variance, variances);
+        plain += (share * w.parts.x) * light;
+        grazing += (share * w.parts.y) * light;
+        mirrored_light += density_in_pixel(footprint, L) * light;
+    }
+    LobeLight sum = {plain / max(m.albedo.x, 1.0e-6) + through_pixel * mirrored_light,
+                     grazing / max(m.albedo.y, 1.0e-6) + through_pixel * mirrored_light};
+    return sum;
+}
+
 // Directions are drawn from visible normals, each moved to its own place in the pixel, and read through a blur as
 // wide as the share of lobe and pixel that it stands for. The means are weighted and divided by the sum of the
 // weights: a constant environment gives exactly itself for every N, and the energy is in the albedo table.
@@ -111,9 +197,12 @@ LobeLight specular_ggx(Environment environment, Mirror m)
     vec3 area = cross(m.mirrored_dx, m.mirrored_dy);
     Real footprint = sqrt(dot(area, area));
     Real pixel_variance = variance_of_spread(footprint) * per_sample;
-    // Where the lobe is the wider, moving samples about in the pixel only tears gaps into their spiral: they stay in
+    // Where the lobe is the wider in all directions, moving samples about in the pixel only tears gaps into their spiral: they stay in
     // the middle, and the blur takes the pixel's variance, a twelfth of its area.
-    Real moved = pixel_variance / max(pixel_variance + lobe.variance, 1.0e-30);
+    Real pixel_share = pixel_variance / max(pixel_variance + lobe.variance, 1.0e-30);
+    Real longest = dot(m.mirrored_dx, m.mirrored_dx) + dot(m.mirrored_dy, m.mirrored_dy);
+    Real widest = variance_of_spread(longest) * per_sample;
+    Real moved = widest / max(widest + lobe.variance, 1.0e-30);
     Real shared_variance = pixel_variance + (1.0 - moved * moved) * footprint * 0.08333333333333333;
     Real per_level = 1.0 / level_one_variance(environment);
     LightSum sum = no_light(environment);
@@ -131,7 +220,8 @@ LobeLight specular_ggx(Environment environment, Mirror m)
         plain_weight += weight_plain;
         grazing_weight += weight_grazing;
     }
-    LobeLight light = {first_light(environment, sum) / max(plain_weight, 1.0e-20),
-                       second_light(environment, sum) / max(grazing_weight, 1.0e-20)};
+    LobeLight lamps = lamps_ggx(environment, m, lobe, pixel_share, shared_variance);
+    LobeLight light = {lamps.plain + first_light(environment, sum) / max(plain_weight, 1.0e-20),
+                       lamps.grazing + second_light(environment, sum) / max(grazing_weight, 1.0e-20)};
     return light;
 }

@@ -8,10 +8,9 @@ struct PhongSample {
     Real NH;
 };
 
-// Sample `point` of the lobe. Witness: with them the pass is the quadrature below.
-PhongSample phong_sample(Phong p, mat3 lobe, vec3 N, vec3 V, vec3 point)
+// The sample in direction L. Witness: with them the pass is the quadrature below.
+PhongSample phong_sample(vec3 N, vec3 V, vec3 L)
 {
-    vec3 L = lobe * sample_phong(point, p.exponent);
     vec3 sum = L + V;
     Real inverse = inversesqrt(max(dot(sum, sum), 2.0e-6));
     Real VH = min(dot(V, sum) * inverse, 1.0);
@@ -22,23 +21,41 @@ PhongSample phong_sample(Phong p, mat3 lobe, vec3 N, vec3 V, vec3 point)
     return s;
 }
 
+// The lamps' light, to the extent that the chain is without it where a sample would read it. per_sample is
+// 1 / N.
+vec3 lamps_phong(Environment environment, Phong p, vec3 N, vec3 V, Real per_sample)
+{
+    vec3 R = mirrored(N, V);
+    vec3 total = vec3(0.0);
+    for (int i = 0; i < lamp_count(environment); ++i) {
+        vec3 L = lamp_direction(environment, i);
+        Real log2_density = log2_lobe_density_about_phong(max(dot(R, L), 1.0e-4), p.exponent);
+        Real density = exp2(max(log2_density, -100.0));
+        Real share = share_of_coarser(variance_of_spread(1.0 / density) * per_sample, lamp_variances(environment));
+        vec2 weights = (share * density) * phong_sample(N, V, L).weights;
+        total += (weights.x * p.specular + vec3(weights.y)) * lamp_light(environment, i);
+    }
+    return total;
+}
+
 // The average of F / (4 (w.H)^2) environment(w) max(N.w, 0) over N samples of the lobe about the mirrored view
 // (DESIGN, "Specular pass"), each read through a blur as wide as the share of the lobe that it stands for. `across` as
 // in Mirror. Witness: quadrature over the lobe in a white environment (tests/draw).
 vec3 specular_phong(Environment environment, Phong p, vec3 N, vec3 V, vec3 across)
 {
     mat3 lobe = carried_frame(mirrored(N, V), V, across);
-    Real per_sample = 1.0 / (Real(sample_count(environment)) * level_one_variance(environment));
+    Real per_sample = 1.0 / Real(sample_count(environment));
+    Real per_level = 1.0 / level_one_variance(environment);
     LightSum sum = no_light(environment);
     for (int i = 0; i < sample_count(environment); ++i) {
         vec3 point = lobe_point(environment, i);
-        PhongSample s = phong_sample(p, lobe, N, V, point);
+        PhongSample s = phong_sample(N, V, lobe * sample_phong(point, p.exponent));
         Real spread = exp2(-log2_lobe_density_phong(point.x, p.exponent));
-        Real level = level_of_variance(variance_of_spread(spread) * per_sample);
+        Real level = level_of_variance(variance_of_spread(spread) * (per_sample * per_level));
         sum = with_light(environment, sum, s.direction, level, s.weights);
     }
-    return (p.specular * first_light(environment, sum) + second_light(environment, sum)) /
-           Real(sample_count(environment));
+    return (p.specular * first_light(environment, sum) + second_light(environment, sum)) * per_sample +
+           lamps_phong(environment, p, N, V, per_sample);
 }
 
 // The same with the report's own choice of mip level, 1/2 log2(W H / N) - 1/2 log2(D(H) / 4), clamped, in the
@@ -50,7 +67,7 @@ vec3 specular_phong_report(Environment environment, Phong p, vec3 N, vec3 V, vec
     Real base = report_base_level(environment) - 0.5 * log2(Real(sample_count(environment)));
     vec3 total = vec3(0.0);
     for (int i = 0; i < sample_count(environment); ++i) {
-        PhongSample s = phong_sample(p, lobe, N, V, lobe_point(environment, i));
+        PhongSample s = phong_sample(N, V, lobe * sample_phong(lobe_point(environment, i), p.exponent));
         Real level = base - 0.5 * (log2_density_phong(s.NH, p.exponent) - 2.0);
         vec3 weight = s.weights.x * p.specular + vec3(s.weights.y);
         total += weight * environment_report_radiance(environment, s.direction, max(level, 0.0));

@@ -15,6 +15,7 @@ enum Column : std::size_t {
     hit_distance,
     hit_u,
     hit_v,
+    extent, ///< Look::extent
     // the surface
     position_x,
     position_y,

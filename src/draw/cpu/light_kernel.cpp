@@ -24,6 +24,8 @@ struct Environment {
     CubeSums* sums;
     float scale;    // of the chain
     float variance; // of its level 1
+    const environment::Lamps* lamps;
+    float lamp_variances[2];
     const environment::Panorama* mips;
     int mip_levels;
     const SampleTables* tables;
@@ -56,6 +58,28 @@ HWY_INLINE vec2 pixel_point(const Environment& e, int i)
 HWY_INLINE Real level_one_variance(const Environment& e)
 {
     return e.variance;
+}
+
+HWY_INLINE int lamp_count(const Environment& e)
+{
+    return static_cast<int>(e.lamps->lamps.size());
+}
+
+HWY_INLINE vec3 lamp_direction(const Environment& e, int i)
+{
+    const float* d = e.lamps->lamps[static_cast<size_t>(i)].direction;
+    return vec3(d[0], d[1], d[2]);
+}
+
+HWY_INLINE vec3 lamp_light(const Environment& e, int i)
+{
+    const float* light = e.lamps->lamps[static_cast<size_t>(i)].light;
+    return vec3(light[0], light[1], light[2]);
+}
+
+HWY_INLINE vec2 lamp_variances(const Environment& e)
+{
+    return vec2(e.lamp_variances[0], e.lamp_variances[1]);
 }
 
 // The sums live in the environment; the text hands this around.
@@ -205,9 +229,10 @@ void add_specular(const LightContext& c, const Environment& e, size_t at, Fragme
                            across,
                            m.alpha,
                            turned(c, load3(f, mirrored_dx_x, at)),
-                           turned(c, load3(f, mirrored_dy_x, at))};
+                           turned(c, load3(f, mirrored_dy_x, at)),
+                           albedo_of(dot(N, V), m.alpha)};
     const LobeLight light = specular_ggx(e, mirror);
-    const Reflectance r = reflectance_metallic(m, albedo_of(dot(N, V), m.alpha));
+    const Reflectance r = reflectance_metallic(m, mirror.albedo);
     store3(r.plain * light.plain + r.grazing * light.grazing, f, reflected_r, at);
 }
 
@@ -219,11 +244,35 @@ Environment environment_of(const LightContext& c, CubeSums& sums)
     e.sums = &sums;
     e.scale = chain.scale;
     e.variance = deviation * deviation;
+    e.lamps = &c.environment->lamps;
+    for (int i = 0; i < 2; ++i)
+        e.lamp_variances[i] = environment::level_variance(chain, e.lamps->last_level + i);
     e.mips = c.mip_chain ? c.mip_chain->data() : nullptr;
     e.mip_levels = c.mip_chain ? static_cast<int>(c.mip_chain->size()) : 0;
     e.tables = c.tables;
     e.samples = static_cast<int>(c.tables->cap.size());
     return e;
+}
+
+// The lamps through a level's blur, between levels as cube_trilinear, to the extent that the levels are without them.
+vec3 lamps_blurred(const environment::Environment& e, vec3 d, float level)
+{
+    const environment::Lamps& lamps = e.lamps;
+    const float clamped = std::min(level, static_cast<float>(e.chain.levels - 1)), fine = std::floor(clamped);
+    const float shares[] = {1.0f - (clamped - fine), clamped - fine};
+    vec3 sum(0.0);
+    for (int i = 0; i < 2; ++i) {
+        const int whole = static_cast<int>(fine) + i;
+        if (whole <= lamps.last_level || shares[i] <= 0.0f)
+            continue;
+        for (const environment::Peak& lamp : lamps.lamps) {
+            const vec3 off = d - vec3(lamp.direction[0], lamp.direction[1], lamp.direction[2]);
+            const Real density =
+                gaussian_on_sphere(dot(off, off), environment::level_variance(e.chain, whole));
+            sum += (shares[i] * density) * vec3(lamp.light[0], lamp.light[1], lamp.light[2]);
+        }
+    }
+    return sum;
 }
 
 } // namespace
@@ -260,9 +309,10 @@ HWY_FLATTEN void light_background(const LightContext& context, const RayMap& ray
     for (int x = 0; x < row.count; x += static_cast<int>(lane_count)) {
         const Real place = Real(hn::Iota(FloatTag(), static_cast<float>(row.first_x + x))) + 0.5;
         const vec3 d = turned(context, normalize(start + place * uniform(rays.direction_dx)));
-        const vec3 c = row.level < 0.0f ? Real(e.panorama.scale) *
-                                              panorama_bilinear(picture, equirectangular_from_direction(d))
-                                        : Real(e.chain.scale) * cube_trilinear(chain, d, row.level);
+        const vec3 c =
+            row.level < 0.0f
+                ? Real(e.panorama.scale) * panorama_bilinear(picture, equirectangular_from_direction(d))
+                : Real(e.chain.scale) * cube_trilinear(chain, d, row.level) + lamps_blurred(e, d, row.level);
         store(c.x, rgb[0] + x);
         store(c.y, rgb[1] + x);
         store(c.z, rgb[2] + x);

@@ -17,6 +17,7 @@ struct Look {
     float near = 0.0f;        ///< where the ray starts, in multiples of its direction
     std::uint32_t pixel = 0;  ///< of the tile
     float weight = 1.0f;      ///< share of the pixel
+    float extent = 1.0f;      ///< side of the square that is lit as one, in pixels
     Hit hit;
 };
 

@@ -312,9 +312,10 @@ void find_surface(const SurfaceContext& c, size_t at, Fragments& f)
     store(load(f[hit_distance] + at) * sqrt(dot(sight.direction, sight.direction)), f[depth] + at);
     store3(view, f, view_x, at);
     store3(normal, f, shading_x, at);
-    store3(mirrored_change(normal, view, side * turning.dx, view_change(sight.direction_dx)), f,
+    const Real part = load(f[extent] + at);
+    store3(part * mirrored_change(normal, view, side * turning.dx, view_change(sight.direction_dx)), f,
            mirrored_dx_x, at);
-    store3(mirrored_change(normal, view, side * turning.dy, view_change(sight.direction_dy)), f,
+    store3(part * mirrored_change(normal, view, side * turning.dy, view_change(sight.direction_dy)), f,
            mirrored_dy_x, at);
     store_material(c, material_at(c, f, at, texturing), at, f);
 }

@@ -11,26 +11,21 @@
 namespace lambent::draw {
 namespace {
 
-// Two points of one surface belong together while the surface bends less than this between them (30 degrees) and the
-// second lies off the first's plane by less than a pixel's width.
-constexpr float least_bend_cosine = 0.866f;
-
-// Samples of one pixel share one shading point while the surface bends less than this between them (15 degrees).
-constexpr float least_shared_cosine = 0.966f;
-
 // What is left of a ray behind transparent surfaces is not worth following below this.
 constexpr float least_weight = 1.0f / 1024.0f;
 constexpr int most_waves = 256;
 
 constexpr std::uint32_t no_surface = std::numeric_limits<std::uint32_t>::max();
 
-bool same_surface(const Seen& a, const Seen& b)
+// Two points of one surface belong together while the surface bends little between them and the second lies off the
+// first's plane by less than a pixel's width.
+bool same_surface(const Seen& a, const Seen& b, float least_cosine)
 {
     if (a.instance != b.instance)
         return false;
     if (a.instance == Hit::nothing)
         return true;
-    return glm::dot(a.normal, b.normal) > least_bend_cosine &&
+    return glm::dot(a.normal, b.normal) > least_cosine &&
            std::fabs(glm::dot(b.point - a.point, a.normal)) < a.pixel_width;
 }
 
@@ -52,10 +47,9 @@ void add(image::RadianceImage& image, const glm::ivec2& at, float weight, const 
     out[3] += weight;
 }
 
-bool shares_shading(const Hit& a, const Hit& b)
+bool shares_shading(const Hit& a, const Hit& b, float least_cosine)
 {
-    return a.instance == b.instance && a.front == b.front &&
-           glm::dot(a.normal, b.normal) > least_shared_cosine;
+    return a.instance == b.instance && a.front == b.front && glm::dot(a.normal, b.normal) > least_cosine;
 }
 
 } // namespace
@@ -121,7 +115,7 @@ bool TileDrawer::is_edge(int column, int row) const
     const int first = column > 0 ? -1 : 0, last = column < apron_width_ - 1 ? 1 : 0;
     for (int r = row > 0 ? -1 : 0; r <= (row < apron_height_ - 1 ? 1 : 0); ++r)
         for (int c = first; c <= last; ++c)
-            if (!same_surface(*middle, middle[r * apron_width_ + c]))
+            if (!same_surface(*middle, middle[r * apron_width_ + c], picture_.edges.bend_cosine))
                 return true;
     return false;
 }
@@ -131,7 +125,8 @@ void TileDrawer::choose_looks(const TileArea& area)
 {
     looks_.clear();
     edges_.clear();
-    const bool several = picture_.subpixels.size() > 1;
+    const std::vector<glm::vec2>& places = picture_.edges.places;
+    const bool several = places.size() > 1;
     for (int y = 0; y < area.height; ++y)
         for (int x = 0; x < area.width; ++x) {
             const int column = area.x + x - apron_x_, row = area.y + y - apron_y_;
@@ -141,9 +136,10 @@ void TileDrawer::choose_looks(const TileArea& area)
                 looks_.push_back(look);
                 continue;
             }
-            look.weight = 1.0f / static_cast<float>(picture_.subpixels.size());
+            look.weight = 1.0f / static_cast<float>(places.size());
+            look.extent = picture_.edges.extent;
             look.near = 0.0f;
-            for (const glm::vec2& place : picture_.subpixels) {
+            for (const glm::vec2& place : places) {
                 look.x = static_cast<float>(area.x + x) + place.x;
                 look.y = static_cast<float>(area.y + y) + place.y;
                 edges_.push_back(look);
@@ -165,6 +161,7 @@ void TileDrawer::place_fragment(const Look& look, std::size_t at)
     fragments_[hit_distance][at] = look.hit.distance;
     fragments_[hit_u][at] = look.hit.u;
     fragments_[hit_v][at] = look.hit.v;
+    fragments_[extent][at] = look.extent;
     fragments_.triangle[at] = look.hit.triangle;
     fragments_.pixel[at] = look.pixel;
     fragments_.weight[at] = look.weight;
@@ -186,7 +183,8 @@ void TileDrawer::build_fragments()
         if (surfaces_.empty() || surfaces_.back().pixel != look.pixel)
             first_of_pixel = surfaces_.size();
         std::size_t at = first_of_pixel;
-        while (at < surfaces_.size() && !shares_shading(look.hit, surfaces_[at].hit))
+        while (at < surfaces_.size() &&
+               !shares_shading(look.hit, surfaces_[at].hit, picture_.edges.shared_cosine))
             ++at;
         if (at == surfaces_.size() && look.weight <= 0.0f)
             continue;
@@ -298,6 +296,7 @@ void TileDrawer::look_behind()
             look.y = fragments_[place_y][at];
             look.near = behind(fragments_[hit_distance][at]);
             look.pixel = fragments_.pixel[at];
+            look.extent = fragments_[extent][at];
             look.weight = left;
             looks_.push_back(look);
         }

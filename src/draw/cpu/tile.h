@@ -14,6 +14,14 @@
 
 namespace lambent::draw {
 
+/// Where a pixel is looked at several times, and which of these looks are lit as one.
+struct Edges {
+    std::vector<glm::vec2> places; ///< inside a pixel, [0, 1)
+    float bend_cosine = 0.0f;      ///< a surface that bends further from pixel to pixel is an edge
+    float shared_cosine = 0.0f; ///< looks share one shading point while the surface bends less between them
+    float extent = 1.0f;        ///< of a look
+};
+
 /// What all tiles of a picture share.
 struct Picture {
     const PreparedScene& scene;
@@ -21,8 +29,8 @@ struct Picture {
     RayMap rays;
     LightContext light;
     std::vector<LightSource> lights;
-    std::vector<glm::vec2> subpixels; ///< places inside a pixel, [0, 1), for pixels where surfaces end
-    float background_level = -1.0f;   ///< of blur; below 0: the panorama itself
+    Edges edges;
+    float background_level = -1.0f; ///< of blur; below 0: the panorama itself
 };
 
 struct TileArea {
