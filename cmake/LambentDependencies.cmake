@@ -15,6 +15,8 @@ find_path(TINYGLTF_INCLUDE_DIR tiny_gltf.h REQUIRED)
 pkg_check_modules(SPNG REQUIRED IMPORTED_TARGET spng)
 pkg_check_modules(TURBOJPEG REQUIRED IMPORTED_TARGET libturbojpeg)
 pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy)
+# Without it KTX 2 files are written uncompressed only.
+pkg_check_modules(ZSTD IMPORTED_TARGET libzstd)
 
 # Embree 3 (Debian 12, Ubuntu 22.04) or 4 (later); src/trace/embree.h hides the difference.
 find_package(embree 4 QUIET)

@@ -68,8 +68,9 @@ HWY_FLATTEN void pack_row(const float* rgb, int count, float factor, uint32_t* t
         const Real final_scale = select(carry, 0.5 * scale, scale);
         const Int step = hn::IfThenElseZero(hn::RebindMask(IntTag(), carry.m), integer(1));
         const Int field = hn::Add(hn::Add(exponent, step), integer(16));
-        const Int r = truncated(c.x * final_scale + 0.5), g = truncated(c.y * final_scale + 0.5),
-                  b = truncated(c.z * final_scale + 0.5);
+        const Real half(image::round_half_up);
+        const Int r = truncated(c.x * final_scale + half), g = truncated(c.y * final_scale + half),
+                  b = truncated(c.z * final_scale + half);
         const Int packed =
             hn::Or(hn::Or(hn::ShiftLeft<27>(field), hn::ShiftLeft<18>(b)), hn::Or(hn::ShiftLeft<9>(g), r));
         hn::StoreU(packed, IntTag(), reinterpret_cast<int32_t*>(texels + x));
