@@ -33,4 +33,7 @@ struct Blurs {
 /// [see equations/footprint.glsl for why Gaussians]
 Blurs make_blurs(const Panorama& panorama);
 
+/// The chain alone, every lamp in every level.
+CubeChain make_chain(const Panorama& panorama);
+
 } // namespace lambent::environment

@@ -134,6 +134,31 @@ void add_peaks(const Peaks& peaks, int level, CubeChain& chain)
     fill_borders(chain, level);
 }
 
+// `apart` says which lamps are left out of which levels.
+Blurs build(const Panorama& panorama, Lamps (*apart)(const Peaks&, const CubeChain&))
+{
+    const int log2_size = log2_face_size(panorama.width);
+    if (panorama.width > (6 << log2_size) && panorama.width % 2 == 0 && panorama.height % 2 == 0)
+        return build(halved(panorama), apart);
+    Blurs blurs;
+    CubeChain& chain = blurs.chain;
+    chain.allocate(log2_size, log2_size);
+    const int size = chain.face_size(0);
+    const std::vector<TexelPoint> points = texel_points(panorama.width, size);
+    const Peaks peaks = find_peaks(panorama);
+    chain.scale = chain_scale(peaks.brightest);
+    resample({&panorama, peaks.limit, points}, all_of(size), chain);
+    for (int level = 1; level < chain.levels; ++level)
+        blur_level(level, chain);
+    if (!peaks.peaks.empty()) {
+        blurs.lamps = apart(peaks, chain);
+        const int end = std::min(blurs.lamps.last_level + 1, chain.levels);
+        tbb::parallel_for(1, std::max(end, 1), [&](int level) { add_peaks(peaks, level, chain); });
+        resample({&panorama, brightest_of_all, points}, around(peaks, size), chain);
+    }
+    return blurs;
+}
+
 } // namespace
 
 GaussianTaps gaussian_taps(int count, float deviation)
@@ -159,26 +184,16 @@ GaussianTaps gaussian_taps(int count, float deviation)
 
 Blurs make_blurs(const Panorama& panorama)
 {
-    const int log2_size = log2_face_size(panorama.width);
-    if (panorama.width > (6 << log2_size) && panorama.width % 2 == 0 && panorama.height % 2 == 0)
-        return make_blurs(halved(panorama));
-    Blurs blurs;
-    CubeChain& chain = blurs.chain;
-    chain.allocate(log2_size, log2_size);
-    const int size = chain.face_size(0);
-    const std::vector<TexelPoint> points = texel_points(panorama.width, size);
-    const Peaks peaks = find_peaks(panorama);
-    chain.scale = chain_scale(peaks.brightest);
-    resample({&panorama, peaks.limit, points}, all_of(size), chain);
-    for (int level = 1; level < chain.levels; ++level)
-        blur_level(level, chain);
-    if (!peaks.peaks.empty()) {
-        blurs.lamps = choose_lamps(peaks, chain);
-        const int end = std::min(blurs.lamps.last_level + 1, chain.levels);
-        tbb::parallel_for(1, std::max(end, 1), [&](int level) { add_peaks(peaks, level, chain); });
-        resample({&panorama, brightest_of_all, points}, around(peaks, size), chain);
-    }
-    return blurs;
+    return build(panorama, choose_lamps);
+}
+
+CubeChain make_chain(const Panorama& panorama)
+{
+    return build(panorama,
+                 [](const Peaks&, const CubeChain& chain) {
+                     return Lamps{{}, chain.levels};
+                 })
+        .chain;
 }
 
 } // namespace lambent::environment

@@ -14,10 +14,10 @@ Real level_of_variance(Real variance)
 }
 
 // The share of a lobe's solid angle that one of its N samples stands for, as the variance of a Gaussian: the spread
-// is 1 / (N density), and neighbours a distance sqrt(spread) apart overlap well at 0.67 of it. The error over a sphere
-// is least at 0.55 (by 9 to 17 %), but there a sun shows each sample as a dot; at 0.67 none is seen.
+// is 1 / (N density), and neighbours a distance sqrt(spread) apart overlap well at 0.55 of it: the error over a sphere
+// is least there. (A sun would show each sample as a dot below 0.67, but is not in the blurs that are so wide.)
 // [footprint from density: Colbert and Krivanek 2007, GPU Gems 3 ch. 20; measured by tests/draw/specular_error_test]
-// Witness: a sun through a lobe of such samples has one maximum, and the lobe's shape.
+// Witness: a lamp of a few degrees through a lobe of such samples has one maximum, and the lobe's shape.
 Real variance_of_spread(Real spread) { return 0.3 * spread; }
 
 // How much of a blur of `variance`, read between two levels, is of the coarser one. The levels' own variances in .x and .y.

@@ -48,12 +48,6 @@ Real log2_lobe_density_phong(Real log2_xi2, Real alpha)
     return log2((alpha + 1.0) * 0.15915494309189535) + alpha / (alpha + 1.0) * log2_xi2;
 }
 
-// The same from the cosine of the angle to the lobe's middle, in (0, 1]. Witness: the one above.
-Real log2_lobe_density_about_phong(Real cosine, Real alpha)
-{
-    return log2((alpha + 1.0) * 0.15915494309189535) + alpha * log2(cosine);
-}
-
 // The exponent whose density of normals has the same peak as GGX of roughness alpha, 1 / (pi alpha^2): 2 / alpha^2 - 2,
 // kept in the model's range. alpha = perceptual_roughness^2. [Walter et al. 2007, 5.2; Karis 2013]
 // Witness: both densities at NH = 1.

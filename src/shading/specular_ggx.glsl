@@ -110,19 +110,20 @@ struct LampWeights {
 // Witness: brdf_metallic.
 LampWeights lamp_weights(LobeSampling s, vec3 L, Real cut)
 {
-    Real half2 = max(0.5 + 0.5 * dot(s.view, L), 1.0e-6); // VH squared
-    Real inverse = inversesqrt(half2);
+    vec3 sum = L + s.view;
+    Real length2 = max(dot(sum, sum), 4.0e-6);
+    Real inverse = inversesqrt(length2);
     Real NL = max(L.z, 0.0);
-    Real NH = clamp(0.5 * (L.z + s.view.z) * inverse, 0.0, 1.0);
-    Real sine2 = (1.0 - NH) * (1.0 + NH);
-    Real cosine2 = NH * NH;
+    // Not from the cosine: its rounding is as large as the square of a narrow lobe's sine.
+    Real sine2 = (sum.x * sum.x + sum.y * sum.y) * inverse * inverse;
+    Real cosine2 = sum.z * sum.z * inverse * inverse;
     Real a2 = s.alpha * s.alpha;
     Real slope = sine2 + a2 * cosine2;
     // density_ggx times visibility_ggx times NL, with one division.
     Real over = 0.15915494309189535 * a2 * NL;
     Real under = slope * slope * (NL * s.SV + s.view.z * smith_ggx(NL, s.alpha));
     Real lobe = over / max(under + cut * over, 1.0e-25);
-    Real grazing = lobe * schlick_weight(min(half2 * inverse, 1.0));
+    Real grazing = lobe * schlick_weight(min(0.5 * length2 * inverse, 1.0));
     Real spread = cosine2 + sine2 / (s.wide_alpha * s.wide_alpha);
     LampWeights w = {vec2(lobe - grazing, grazing), s.variance * spread * spread};
     return w;
@@ -137,6 +138,7 @@ struct Footprint {
     Real size;
 };
 
+// Witness: density_in_pixel's.
 Footprint footprint_of(Mirror m)
 {
     vec3 area = cross(m.mirrored_dx, m.mirrored_dy);
@@ -158,6 +160,7 @@ Real density_in_pixel(Footprint f, vec3 L)
 
 // The lamps' light, to the extent that the chain is without it where a sample would read it: through the lobe, and, as far
 // as the pixel is wider than that (pixel_share of 1), through the pixel. shared_variance is what all samples are blurred by.
+// Witness: lamps all around are a white sky.
 LobeLight lamps_ggx(Environment environment, Mirror m, LobeSampling s, Real pixel_share, Real shared_variance)
 {
     mat3 frame = carried_frame(m.normal, m.view, m.across);
@@ -197,8 +200,8 @@ LobeLight specular_ggx(Environment environment, Mirror m)
     vec3 area = cross(m.mirrored_dx, m.mirrored_dy);
     Real footprint = sqrt(dot(area, area));
     Real pixel_variance = variance_of_spread(footprint) * per_sample;
-    // Where the lobe is the wider in all directions, moving samples about in the pixel only tears gaps into their spiral: they stay in
-    // the middle, and the blur takes the pixel's variance, a twelfth of its area.
+    // Where the lobe is the wider in all directions, moving samples about in the pixel only tears gaps into their
+    // spiral: they stay in the middle, and the blur takes the pixel's variance, a twelfth of its area.
     Real pixel_share = pixel_variance / max(pixel_variance + lobe.variance, 1.0e-30);
     Real longest = dot(m.mirrored_dx, m.mirrored_dx) + dot(m.mirrored_dy, m.mirrored_dy);
     Real widest = variance_of_spread(longest) * per_sample;

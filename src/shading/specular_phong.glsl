@@ -22,14 +22,15 @@ PhongSample phong_sample(vec3 N, vec3 V, vec3 L)
 }
 
 // The lamps' light, to the extent that the chain is without it where a sample would read it. per_sample is
-// 1 / N.
+// 1 / N. Witness: the lobe's density times what a sample there weighs.
 vec3 lamps_phong(Environment environment, Phong p, vec3 N, vec3 V, Real per_sample)
 {
     vec3 R = mirrored(N, V);
     vec3 total = vec3(0.0);
     for (int i = 0; i < lamp_count(environment); ++i) {
         vec3 L = lamp_direction(environment, i);
-        Real log2_density = log2_lobe_density_about_phong(max(dot(R, L), 1.0e-4), p.exponent);
+        Real log2_xi2 = (p.exponent + 1.0) * log2(max(dot(R, L), 1.0e-4));
+        Real log2_density = log2_lobe_density_phong(log2_xi2, p.exponent);
         Real density = exp2(max(log2_density, -100.0));
         Real share = share_of_coarser(variance_of_spread(1.0 / density) * per_sample, lamp_variances(environment));
         vec2 weights = (share * density) * phong_sample(N, V, L).weights;

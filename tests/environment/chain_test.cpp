@@ -108,6 +108,26 @@ TEST(CubeChain, KeepsTheLightOfASun)
     std::printf("worst error of a level's light: %.2f %%\n", 100.0 * worst);
 }
 
+// What a level is without is in the lamps, and only that: no more than 16 of them, and none where nothing is small.
+TEST(CubeChain, LampsApartAreTheLightThatCoarseLevelsAreWithout)
+{
+    const Panorama p = testing::sunny_panorama(1024, normalized({0.3, 0.8, -0.4}));
+    const Blurs blurs = make_blurs(p);
+    ASSERT_GT(blurs.lamps.lamps.size(), 0u);
+    ASSERT_LE(blurs.lamps.lamps.size(), 16u);
+    double apart = 0.0;
+    for (const Peak& lamp : blurs.lamps.lamps)
+        apart += lamp.light[1];
+    const double light = testing::integral(p, [](const Vec&) { return 1.0; });
+    EXPECT_GT(apart, 0.1 * light);
+    ASSERT_LT(blurs.lamps.last_level + 1, blurs.chain.levels);
+    for (int level = 1; level < blurs.chain.levels; ++level) {
+        const double held = light_of_level(blurs.chain, level);
+        EXPECT_NEAR((held + (level > blurs.lamps.last_level ? apart : 0.0)) / light, 1.0, 1e-3) << level;
+    }
+    EXPECT_TRUE(make_blurs(testing::panorama_of(128, [](const Vec&) { return 0.75; })).lamps.lamps.empty());
+}
+
 // Where light lies about a direction, in angles along two tangents.
 struct Spread {
     double light = 0.0, xx = 0.0, yy = 0.0, xy = 0.0, fourth = 0.0; // means but for the light

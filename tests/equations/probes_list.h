@@ -61,3 +61,5 @@ PROBE(45, fresnel_base, 1e-6, 0.0, 1e-6, 0.0)
 PROBE(46, map_cube_place, 1e-5, 1e-5, 1e-5, 1e-5)
 // Facets and their spreads as above.
 PROBE(47, shading_lobe_sample, 1e-4, 1e-4, 1e-3, 1e-3)
+// The footprint of a pixel may be as thin as two directions nearly the same make it.
+PROBE(48, shading_lamps, 1e-4, 1e-3, 1e-3, 1e-3)

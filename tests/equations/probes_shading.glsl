@@ -28,6 +28,11 @@ vec2 pixel_point(Environment e, int k) { return vec2((Real(k) + 0.5) / Real(e.sa
 
 Real level_one_variance(Environment e) { return e.variance; }
 
+int lamp_count(Environment e) { return e.samples / 6; }
+vec3 lamp_direction(Environment e, int k) { return normalize(vec3(0.3, 0.9 - Real(k), e.brightness)); }
+vec3 lamp_light(Environment e, int k) { return e.brightness * vec3(0.02, 0.03, 0.01 + 0.01 * Real(k)); }
+vec2 lamp_variances(Environment e) { return vec2(e.variance, 4.0 * e.variance); }
+
 vec3 environment_report_radiance(Environment e, vec3 d, Real level)
 {
     vec3 n = normalize(d);
@@ -73,7 +78,7 @@ Outputs shading_ggx(Inputs i)
     vec3 N = direction(i.a, i.b);
     vec3 V = view_near(N, i);
     Mirror m = {N, V, mirrored(vec3(0.6, 0.0, 0.8), V), decades(i.e, 1.0e-4, 1.0), 0.1 * i.f * direction(i.g, i.h),
-                0.1 * i.g * direction(i.h, i.f)};
+                0.1 * i.g * direction(i.h, i.f), probe_albedo(i.g, i.h)};
     LobeLight light = specular_ggx(formula(1.0 + i.h), m);
     return outputs(light.plain, light.grazing.x);
 }
@@ -84,6 +89,21 @@ Outputs shading_lobe_sample(Inputs i)
     vec2 t = turn(i.c);
     LobeSample s = lobe_sample(lobe_sampling(view, 0.1 + 0.9 * i.d, 0.025), vec3(0.9 * i.e, t.x, t.y));
     return outputs(s.direction, s.weight + s.size + s.grazing + s.variance);
+}
+
+Outputs shading_lamps(Inputs i)
+{
+    vec3 N = direction(i.a, i.b);
+    vec3 V = view_near(N, i);
+    Mirror m = {N, V, mirrored(vec3(0.6, 0.0, 0.8), V), 0.1 + 0.9 * i.e, 0.2 * direction(i.g, i.h), 0.2 * direction(i.h, i.f),
+                probe_albedo(i.g, i.h)};
+    LobeSampling lobe = lobe_sampling(in_frame(carried_frame(N, V, m.across), V), m.alpha, 0.025);
+    LobeLight light = lamps_ggx(formula(1.0 + i.h), m, lobe, i.f, 0.0001 * i.g);
+    LampWeights w = lamp_weights(lobe, upper_direction(i.c, i.h), 0.1 * i.g);
+    Phong p = {vec3(i.e), vec3(i.f, i.g, i.h), decades(i.e, 0.01, 100.0)};
+    vec3 phong = lamps_phong(formula(1.0 + i.f), p, N, V, 0.025);
+    Real pixel = density_in_pixel(footprint_of(m), normalize(mirrored(N, V) + 0.1 * i.a * m.mirrored_dx));
+    return outputs(vec3(light.plain.x + 0.1 * light.grazing.y, w.parts.x + w.parts.y + w.variance, phong.x), 0.01 * pixel);
 }
 
 Outputs shading_phong(Inputs i)

@@ -20,6 +20,8 @@ struct Environment {
     int samples;
     double panorama_width, panorama_height, variance;
     std::vector<Lookup>* lookups;
+    int lamps = 0;
+    vec3 lamp{0.0, 0.0, 1.0};
 };
 
 vec3 radiance(vec3 d, double level)
@@ -46,6 +48,22 @@ vec3 lobe_point(const Environment& e, int i)
 Real level_one_variance(const Environment& e)
 {
     return e.variance;
+}
+int lamp_count(const Environment& e)
+{
+    return e.lamps;
+}
+vec3 lamp_direction(const Environment& e, int)
+{
+    return e.lamp;
+}
+vec3 lamp_light(const Environment&, int)
+{
+    return {1.0, 2.0, 3.0};
+}
+vec2 lamp_variances(const Environment&)
+{
+    return {1.0e-12, 2.0e-12};
 }
 
 Real report_base_level(const Environment& e)
@@ -162,7 +180,7 @@ TEST(SpecularPhong, LevelsAreTheReports)
 }
 
 // A sample stands for 1 / (N density); a level is the blend of two Gaussians of variances v1 4^(l - 1), level 0 of
-// v1 / 16; their share of a sample's solid angle is equations/footprint.glsl's 0.45.
+// v1 / 16; their share of a sample's solid angle is equations/footprint.glsl's 0.3.
 TEST(SpecularPhong, MatchedLevelsAreAsWideAsTheShareOfTheLobe)
 {
     for (const Looked& l : look_matched()) {
@@ -177,9 +195,9 @@ TEST(SpecularPhong, MatchedLevelsAreAsWideAsTheShareOfTheLobe)
             };
             const double blend = 1.5e-4 * ((1.0 - part) * variance(below) + part * variance(below + 1.0));
             if (lookup.level > 0.0)
-                EXPECT_NEAR(blend / (0.45 / (16.0 * density)), 1.0, 1e-6) << a;
+                EXPECT_NEAR(blend / (0.3 / (16.0 * density)), 1.0, 1e-6) << a;
             else
-                EXPECT_LE(0.45 / (16.0 * density), 1.5e-4 / 16.0 * 1.000001) << a;
+                EXPECT_LE(0.3 / (16.0 * density), 1.5e-4 / 16.0 * 1.000001) << a;
         }
     }
 }
@@ -218,6 +236,27 @@ TEST(SpecularPhong, ResultIsTheReportsAverage)
             }
             EXPECT_LT(distance(l.result, mean), 1e-9 * distance(mean, vec3(0.0))) << l.material.exponent;
         }
+}
+
+// A lamp that no blur holds: the lobe's density there, (alpha + 1) / (2 pi) (R.w)^alpha, times what a sample weighs.
+TEST(SpecularPhong, LampsAreSeenThroughTheLobe)
+{
+    for (const Looked& l : look_matched()) {
+        in_double::Environment lit = l.environment;
+        lit.lamps = 1;
+        const vec3 R = in_double::mirrored(l.N, l.V);
+        for (const vec3& towards : {R, R + 0.1 * l.V, R + 0.5 * l.N, vec3(0.3, -0.4, 0.2)}) {
+            lit.lamp = in_double::normalize(towards);
+            const double a = l.material.exponent, NL = std::max(cosine_between(l.N, lit.lamp), 0.0);
+            const double density =
+                (a + 1.0) / (2.0 * pi) * std::pow(std::max(cosine_between(R, lit.lamp), 0.0), a);
+            const double wH = cosine_between(lit.lamp, halfway(lit.lamp, l.V));
+            const double F = 0.04 + 0.96 * std::pow(1.0 - wH, 5.0);
+            const double wanted = density * NL * F / (4.0 * wH * wH);
+            const vec3 seen = in_double::lamps_phong(lit, l.material, l.N, l.V, 1.0 / 16.0);
+            EXPECT_NEAR(seen.x, wanted, 1e-6 * wanted + 1e-9) << a;
+        }
+    }
 }
 
 } // namespace
