@@ -105,6 +105,11 @@ void EnvironmentLight::fill_cells()
         cell_angle_[static_cast<std::size_t>(row)] = angle;
         row_ends_[static_cast<std::size_t>(row)] = sum * angle;
     });
+    for (int row = 0; row < rows_; ++row)
+        for (int first = 0; first < columns_; first += block)
+            block_ends_.push_back(ends_of(row)[std::min(first + block, columns_) - 1]);
+    for (int row = 0; row <= rows_; ++row)
+        edge_cosines_.push_back(edge_cosine(row, rows_));
     double total = 0.0;
     for (double& end : row_ends_)
         end = total += end;
@@ -145,6 +150,16 @@ const double* EnvironmentLight::ends_of(int row) const
     return column_ends_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
 }
 
+// First the block, then the cell in it: two short searches in neighbouring memory instead of one all over the row.
+int EnvironmentLight::chosen_column(int row, double u) const
+{
+    const int blocks = (columns_ + block - 1) / block;
+    const double* ends =
+        block_ends_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(blocks);
+    const int first = block * chosen(ends, blocks, u);
+    return first + chosen(ends_of(row) + first, std::min(block, columns_ - first), u);
+}
+
 double EnvironmentLight::cell_density(int row, int column) const
 {
     // By the same numbers that draw() chooses by: the density is exactly its own.
@@ -157,10 +172,11 @@ EnvironmentLight::Drawn EnvironmentLight::draw(const glm::dvec2& u) const
     if (dark_)
         return {};
     const int row = chosen(row_ends_.data(), rows_, u.y);
-    const int column = chosen(ends_of(row), columns_, u.x);
+    const int column = chosen_column(row, u.x);
     const double below = Span(row_ends_.data(), rows_, row).place(u.y);
     const double right = Span(ends_of(row), columns_, column).place(u.x);
-    const double top = edge_cosine(row, rows_), bottom = edge_cosine(row + 1, rows_);
+    const double top = edge_cosines_[static_cast<std::size_t>(row)];
+    const double bottom = edge_cosines_[static_cast<std::size_t>(row) + 1];
     const double y = top + below * (bottom - top), sine = std::sqrt(std::max(1.0 - y * y, 0.0));
     const double across = (column + right) / columns_, phi = (across - 0.5) * 2.0 * pi;
     const double px = sine * std::cos(phi), pz = sine * std::sin(phi);

@@ -69,21 +69,21 @@ Reflection::Reflection(const Surface& surface, view::Model model, bool energy_co
     : surface_(surface), model_(model), compensation_(energy_compensation ? 1.0 : 0.0),
       NV_(glm::dot(surface.normal, surface.view))
 {
-    double glossy, diffuse;
+    double glossy;
     if (model == view::Model::ggx) {
         albedo_ = directional_albedo(NV_, surface.gloss);
         const in_double::Reflectance r =
             in_double::reflectance_metallic(metallic(surface, compensation_), {albedo_.x, albedo_.y});
         glossy = luminance(r.plain) + luminance(r.grazing);
-        diffuse = luminance(r.diffuse);
+        diffuse_ = luminance(r.diffuse);
     } else {
         glossy = luminance(in_double::fresnel_schlick(text(surface.specular), NV_));
-        diffuse = luminance(text(surface.base));
+        diffuse_ = luminance(text(surface.base));
     }
     // Rough metals, whose visible normals often mirror below the surface, get some directions by the cosine as well.
     const double most = model == view::Model::ggx ? 1.0 - 0.5 * surface.gloss * surface.gloss : 1.0;
     // Neither is left out altogether, unless it is nothing at all: colours differ from their luminance.
-    glossy_share_ = diffuse > 0.0 ? std::clamp(glossy / std::max(glossy + diffuse, 1e-12), 0.1, 0.9) : most;
+    glossy_share_ = diffuse_ > 0.0 ? std::clamp(glossy / std::max(glossy + diffuse_, 1e-12), 0.1, 0.9) : most;
 }
 
 glm::dvec3 Reflection::value(const glm::dvec3& light) const
@@ -116,6 +116,13 @@ double Reflection::glossy_density(const glm::dvec3& light) const
     // Facets are drawn that face away from the viewer, too: they mirror to below the surface.
     const double lobe = (surface_.gloss + 1.0) / (2.0 * pi) * std::pow(std::fabs(NH), surface_.gloss);
     return VH > 1e-9 ? lobe / (4.0 * VH) : 0.0;
+}
+
+bool Reflection::is_wide() const
+{
+    constexpr double least_alpha = 0.05, least_diffuse = 0.05;
+    const double alpha = model_ == view::Model::ggx ? surface_.gloss : in_double::phong_alpha(surface_.gloss);
+    return alpha > least_alpha || diffuse_ > least_diffuse;
 }
 
 double Reflection::density(const glm::dvec3& light) const

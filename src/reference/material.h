@@ -38,6 +38,9 @@ public:
     /// May be below the surface, where value() is 0.
     glm::dvec3 draw(const glm::dvec2& u) const;
 
+    /// Whether light from most directions is reflected to the viewer.
+    bool is_wide() const;
+
 private:
     double glossy_density(const glm::dvec3& light) const;
     glm::dvec3 draw_glossy(const glm::dvec2& u) const;
@@ -47,6 +50,7 @@ private:
     double compensation_;
     glm::dvec2 albedo_{0.0}; ///< ggx: the two parts of the directional albedo
     double glossy_share_ = 1.0;
+    double diffuse_; ///< luminance of what is reflected so
     double NV_;
 };
 

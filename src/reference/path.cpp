@@ -20,6 +20,10 @@ constexpr int least_bounces = 3;
 // More lights than this are not all asked at every point.
 constexpr std::size_t most_lights_at_once = 8;
 
+// Directions looked at for one that is followed: where the surface mirrors little of what is bright, most of the
+// environment's light is in the wrong place.
+constexpr int most_candidates = 2;
+
 // What is drawn and how likely another way draws it as well: the weight of this one.
 // [balance heuristic: Veach and Guibas 1995, "Optimally combining sampling techniques for Monte Carlo rendering"]
 double weight_of(double density, double other)
@@ -43,7 +47,9 @@ public:
 private:
     trace::Hit find(trace::Ray ray);
     double passing(trace::Ray ray) const;
-    glm::dvec3 light_from(const Surface& surface, const Reflection& reflection, const glm::dvec2& u) const;
+    struct Candidate;
+    Candidate candidate(const Surface& surface, const Reflection& reflection, const glm::dvec2& u) const;
+    glm::dvec3 light_from(const Surface& surface, const Reflection& reflection, const glm::dvec2& u);
     glm::dvec3 light_from_emitters(const Surface& surface, const Reflection& reflection);
     glm::dvec3 emitted(const trace::Hit& hit, const Surface& surface, int bounce) const;
     glm::dvec3 lamps(const Surface& surface, const Reflection& reflection);
@@ -59,6 +65,7 @@ private:
     glm::dvec3 throughput_{1.0}; ///< of the path so far
     glm::dvec3 next_{0.0};       ///< where the path goes on
     double density_ = 0.0;       ///< with which that was drawn; 0: the path ends
+    double candidates_ = 1.0;    ///< of the last point, for the environment's light
     glm::dvec3 last_{0.0};       ///< the point before
 };
 
@@ -102,25 +109,53 @@ bool Path::below(const Surface& surface, const glm::dvec3& direction) const
     return world_.bounces > 0 && !(glm::dot(surface.geometric, direction) > 0.0);
 }
 
-// The environment's light, from a direction in which the environment is bright.
-glm::dvec3 Path::light_from(const Surface& surface, const Reflection& reflection, const glm::dvec2& u) const
+// A direction in which the environment is bright, and what it would send on if nothing were in the way.
+struct Path::Candidate {
+    glm::dvec3 direction{0.0};
+    glm::dvec3 light{0.0};
+    double size = 0.0; ///< luminance of light
+};
+
+Path::Candidate Path::candidate(const Surface& surface, const Reflection& reflection,
+                                const glm::dvec2& u) const
+{
+    const EnvironmentLight::Drawn drawn = world_.environment->draw(u);
+    if (!(drawn.density > 0.0) || below(surface, drawn.direction))
+        return {};
+    const glm::dvec3 value = reflection.value(drawn.direction);
+    if (value == glm::dvec3(0.0))
+        return {};
+    const bool alone = world_.strategy == Strategy::lights_only;
+    const double weight =
+        alone ? 1.0 : weight_of(candidates_ * drawn.density, reflection.density(drawn.direction));
+    const glm::dvec3 light = (weight / drawn.density) * value * world_.environment->radiance_at(drawn.place);
+    return {drawn.direction, light, 0.2126 * light.x + 0.7152 * light.y + 0.0722 * light.z};
+}
+
+// The environment's light, from one of several directions, picked by what each would send on.
+// [resampled importance sampling: Talbot, Cline and Egbert 2005]
+glm::dvec3 Path::light_from(const Surface& surface, const Reflection& reflection, const glm::dvec2& u)
 {
     if (!world_.environment || world_.strategy == Strategy::reflections_only)
         return glm::dvec3(0.0);
-    const EnvironmentLight::Drawn drawn = world_.environment->draw(u);
-    if (!(drawn.density > 0.0) || below(surface, drawn.direction))
+    const int count = static_cast<int>(candidates_);
+    Candidate chosen;
+    double total = 0.0;
+    for (int i = 0; i < count; ++i) {
+        // Each evenly spread, and together, too: a rank-one lattice.
+        const double x = u.x + i / candidates_, y = u.y + i * 0.6180339887498949;
+        const Candidate next = candidate(surface, reflection, {x - std::floor(x), y - std::floor(y)});
+        total += next.size;
+        if (next.size > 0.0 && (total <= next.size || sampler_.random() * total < next.size))
+            chosen = next;
+    }
+    if (!(chosen.size > 0.0))
         return glm::dvec3(0.0);
-    const glm::dvec3 value = reflection.value(drawn.direction);
-    if (value == glm::dvec3(0.0))
-        return value;
-    const bool alone = world_.strategy == Strategy::lights_only;
-    const double weight = alone ? 1.0 : weight_of(drawn.density, reflection.density(drawn.direction));
     const double way =
         world_.bounces == 0
             ? 1.0
-            : passing({start_beside(surface.position, surface.geometric), glm::vec3(drawn.direction)});
-    return way > 0.0 ? (way * weight / drawn.density) * value * world_.environment->radiance_at(drawn.place)
-                     : glm::dvec3(0.0);
+            : passing({start_beside(surface.position, surface.geometric), glm::vec3(chosen.direction)});
+    return (way * total / (candidates_ * chosen.size)) * chosen.light;
 }
 
 // Light of the surfaces that shine, from a point on one of them.
@@ -196,6 +231,7 @@ glm::dvec3 Path::scattered(const Surface& surface)
 {
     const Reflection reflection(surface, world_.model, world_.energy_compensation);
     const std::array<double, 4> u = sampler_.next4();
+    candidates_ = reflection.is_wide() ? most_candidates : 1;
     glm::dvec3 light = lamps(surface, reflection) + light_from(surface, reflection, {u[0], u[1]}) +
                        light_from_emitters(surface, reflection);
     light *= throughput_;
@@ -228,7 +264,8 @@ glm::dvec3 Path::escaped(const glm::dvec3& direction) const
         return glm::dvec3(0.0);
     const bool alone = world_.strategy == Strategy::reflections_only;
     const glm::dvec2 place = world_.environment->place_of(direction);
-    const double weight = alone ? 1.0 : weight_of(density_, world_.environment->density_at(place));
+    const double weight =
+        alone ? 1.0 : weight_of(density_, candidates_ * world_.environment->density_at(place));
     return weight * throughput_ * world_.environment->radiance_at(place);
 }
 
