@@ -12,52 +12,72 @@ namespace {
 constexpr std::size_t most_lamps = 16;
 
 // How far from a lamp's middle its light may come, in texels of the first level that is without it.
-constexpr float reach = 1.7f;
+constexpr double reach = 1.7;
 
-float light_of(const Peak& peak)
+double light_of(const Peak& peak)
 {
-    return peak.light[0] + peak.light[1] + peak.light[2];
+    return static_cast<double>(peak.light[0]) + static_cast<double>(peak.light[1]) +
+           static_cast<double>(peak.light[2]);
 }
 
-float squared_chord(const Peak& a, const Peak& b)
-{
-    float sum = 0.0f;
-    for (int k = 0; k < 3; ++k)
-        sum += (a.direction[k] - b.direction[k]) * (a.direction[k] - b.direction[k]);
-    return sum;
-}
+// Peaks taken together.
+struct Gathered {
+    double light[3] = {}, moment[3] = {}, weight = 0.0;
 
-// Light moves into `lamp`, whose middle is that of all its light.
-void join(Peak& lamp, const Peak& more)
-{
-    const float share = light_of(more) / std::max(light_of(lamp) + light_of(more), 1e-30f);
-    float square = 0.0f;
-    for (int k = 0; k < 3; ++k) {
-        lamp.light[k] += more.light[k];
-        lamp.direction[k] += share * (more.direction[k] - lamp.direction[k]);
-        square += lamp.direction[k] * lamp.direction[k];
+    void add(const Peak& peak)
+    {
+        const double more = light_of(peak);
+        weight += more;
+        for (int k = 0; k < 3; ++k) {
+            light[k] += static_cast<double>(peak.light[k]);
+            moment[k] += more * static_cast<double>(peak.direction[k]);
+        }
     }
-    for (float& x : lamp.direction)
-        x /= std::sqrt(square);
-}
+
+    double length() const { return std::hypot(moment[0], moment[1], moment[2]); }
+
+    double squared_chord(const Peak& peak) const
+    {
+        double sum = 0.0;
+        for (int k = 0; k < 3; ++k)
+            sum += std::pow(moment[k] / length() - static_cast<double>(peak.direction[k]), 2);
+        return sum;
+    }
+
+    Lamp lamp() const
+    {
+        Lamp result{};
+        for (int k = 0; k < 3; ++k) {
+            result.light[k] = static_cast<float>(light[k]);
+            result.direction[k] = static_cast<float>(moment[k] / length());
+        }
+        // Unit vectors have a mean that falls short of 1 by their variance.
+        result.variance = static_cast<float>(std::max(0.5 * (1.0 - std::pow(length() / weight, 2)), 0.0));
+        return result;
+    }
+};
 
 // The brightest first, each joins the nearest lamp within `radius` or is a new one. Gives up above most_lamps.
-std::vector<Peak> gathered(std::vector<Peak> peaks, float radius)
+std::vector<Lamp> gathered(std::vector<Peak> peaks, double radius)
 {
     std::sort(peaks.begin(), peaks.end(),
               [](const Peak& a, const Peak& b) { return light_of(a) > light_of(b); });
-    std::vector<Peak> lamps;
+    std::vector<Gathered> all;
     for (const Peak& peak : peaks) {
-        const auto nearest = std::min_element(lamps.begin(), lamps.end(), [&](const Peak& a, const Peak& b) {
-            return squared_chord(a, peak) < squared_chord(b, peak);
-        });
-        if (nearest != lamps.end() && squared_chord(*nearest, peak) < radius * radius)
-            join(*nearest, peak);
+        const auto nearest =
+            std::min_element(all.begin(), all.end(), [&](const Gathered& a, const Gathered& b) {
+                return a.squared_chord(peak) < b.squared_chord(peak);
+            });
+        if (nearest != all.end() && nearest->squared_chord(peak) < radius * radius)
+            nearest->add(peak);
         else
-            lamps.push_back(peak);
-        if (lamps.size() > most_lamps)
+            all.emplace_back().add(peak);
+        if (all.size() > most_lamps)
             break;
     }
+    std::vector<Lamp> lamps;
+    for (const Gathered& one : all)
+        lamps.push_back(one.lamp());
     return lamps;
 }
 
@@ -66,8 +86,9 @@ std::vector<Peak> gathered(std::vector<Peak> peaks, float radius)
 Lamps choose_lamps(const Peaks& peaks, const CubeChain& chain)
 {
     for (int level = 0; level + 1 < chain.levels; ++level) {
-        const float texel = std::numbers::pi_v<float> / 2.0f / static_cast<float>(chain.face_size(level + 1));
-        std::vector<Peak> lamps = gathered(merged(peaks.peaks, 0.5f * texel), reach * texel);
+        const double texel = std::numbers::pi / 2.0 / chain.face_size(level + 1);
+        std::vector<Lamp> lamps =
+            gathered(merged(peaks.peaks, static_cast<float>(0.5 * texel)), reach * texel);
         if (lamps.size() <= most_lamps)
             return {std::move(lamps), level};
     }

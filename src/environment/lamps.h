@@ -9,8 +9,15 @@
 
 namespace lambent::environment {
 
+/// A spot as seen from infinitely far away.
+struct Lamp {
+    float direction[3]; ///< unit length, to its middle
+    float light[3];     ///< radiance times solid angle, RGB
+    float variance;     ///< angular, about its middle, per axis, square radians
+};
+
 struct Lamps {
-    std::vector<Peak> lamps; ///< few: each costs about a quarter of a sample
+    std::vector<Lamp> lamps; ///< few: each costs about a quarter of a sample
     int last_level = 0;      ///< of the chain that holds their light; from the next on it has to be added
 };
 

@@ -23,17 +23,21 @@ double luminance(const float* rgb)
 }
 
 // The first of `count` ascending ends that is above u.
-int chosen(const double* ends, int count, double u)
+template <class Number>
+int chosen(const Number* ends, int count, double u)
 {
-    return static_cast<int>(std::upper_bound(ends, ends + count - 1, u) - ends);
+    const auto above = [](double a, Number b) { return a < static_cast<double>(b); };
+    return static_cast<int>(std::upper_bound(ends, ends + count - 1, u, above) - ends);
 }
 
 // What is between the end before the chosen one and it.
 struct Span {
     double before, end;
 
-    Span(const double* ends, int count, int index)
-        : before(index > 0 ? ends[index - 1] : 0.0), end(index + 1 < count ? ends[index] : 1.0)
+    template <class Number>
+    Span(const Number* ends, int count, int index)
+        : before(index > 0 ? static_cast<double>(ends[index - 1]) : 0.0),
+          end(index + 1 < count ? static_cast<double>(ends[index]) : 1.0)
     {
     }
     double size() const { return end - before; }
@@ -94,14 +98,16 @@ void EnvironmentLight::fill_cells()
     row_ends_.resize(static_cast<std::size_t>(rows_));
     cell_angle_.resize(static_cast<std::size_t>(rows_));
     tbb::parallel_for(0, rows_, [&](int row) {
-        double* const ends =
+        float* const ends =
             column_ends_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
         const double angle = 2.0 * pi / columns_ * (edge_cosine(row, rows_) - edge_cosine(row + 1, rows_));
+        std::vector<double> sums;
         double sum = 0.0;
         for (int column = 0; column < columns_; ++column)
-            ends[column] = sum += cell_light(column, row);
+            sums.push_back(sum += cell_light(column, row));
         for (int column = 0; column < columns_; ++column)
-            ends[column] /= sum > 0.0 ? sum : 1.0;
+            ends[column] =
+                static_cast<float>(sums[static_cast<std::size_t>(column)] / (sum > 0.0 ? sum : 1.0));
         cell_angle_[static_cast<std::size_t>(row)] = angle;
         row_ends_[static_cast<std::size_t>(row)] = sum * angle;
     });
@@ -145,7 +151,7 @@ glm::dvec3 EnvironmentLight::radiance_at(const glm::dvec2& uv) const
     return rgb;
 }
 
-const double* EnvironmentLight::ends_of(int row) const
+const float* EnvironmentLight::ends_of(int row) const
 {
     return column_ends_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
 }
@@ -154,8 +160,7 @@ const double* EnvironmentLight::ends_of(int row) const
 int EnvironmentLight::chosen_column(int row, double u) const
 {
     const int blocks = (columns_ + block - 1) / block;
-    const double* ends =
-        block_ends_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(blocks);
+    const float* ends = block_ends_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(blocks);
     const int first = block * chosen(ends, blocks, u);
     return first + chosen(ends_of(row) + first, std::min(block, columns_ - first), u);
 }

@@ -44,16 +44,17 @@ private:
     void fill_cells();
     double smoothed_luminance(int x, int y) const;
     double cell_light(int column, int row) const;
-    const double* ends_of(int row) const;
+    const float* ends_of(int row) const;
     int chosen_column(int row, double u) const;
     double cell_density(int row, int column) const;
 
     const image::RadianceImage& panorama_;
     double cosine_, sine_;
-    int columns_ = 0, rows_ = 0;       ///< of cells
-    std::vector<double> row_ends_;     ///< cumulative, one per row, the last is 1
-    std::vector<double> column_ends_;  ///< cumulative within each row, the last is 1
-    std::vector<double> block_ends_;   ///< every block-th of them
+    int columns_ = 0, rows_ = 0;   ///< of cells
+    std::vector<double> row_ends_; ///< cumulative, one per row, the last is 1
+    std::vector<float>
+        column_ends_; ///< cumulative within each row, the last is 1; in double they fill the caches
+    std::vector<float> block_ends_;    ///< every block-th of them
     std::vector<double> cell_angle_;   ///< solid angle of each row's cells
     std::vector<double> edge_cosines_; ///< of the polar angle where rows begin and end
     bool dark_ = true;

@@ -21,7 +21,7 @@ constexpr int least_bounces = 3;
 constexpr std::size_t most_lights_at_once = 8;
 
 // Directions looked at for one that is followed: where the surface mirrors little of what is bright, most of the
-// environment's light is in the wrong place.
+// environment's light is in the wrong place. (Of 1, 2, 3 and 4, this is the fastest to equal error; bench_cycles.)
 constexpr int most_candidates = 2;
 
 // What is drawn and how likely another way draws it as well: the weight of this one.

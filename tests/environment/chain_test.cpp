@@ -116,7 +116,7 @@ TEST(CubeChain, LampsApartAreTheLightThatCoarseLevelsAreWithout)
     ASSERT_GT(blurs.lamps.lamps.size(), 0u);
     ASSERT_LE(blurs.lamps.lamps.size(), 16u);
     double apart = 0.0;
-    for (const Peak& lamp : blurs.lamps.lamps)
+    for (const Lamp& lamp : blurs.lamps.lamps)
         apart += lamp.light[1];
     const double light = testing::integral(p, [](const Vec&) { return 1.0; });
     EXPECT_GT(apart, 0.1 * light);

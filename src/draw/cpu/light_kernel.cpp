@@ -265,10 +265,10 @@ vec3 lamps_blurred(const environment::Environment& e, vec3 d, float level)
         const int whole = static_cast<int>(fine) + i;
         if (whole <= lamps.last_level || shares[i] <= 0.0f)
             continue;
-        for (const environment::Peak& lamp : lamps.lamps) {
+        for (const environment::Lamp& lamp : lamps.lamps) {
             const vec3 off = d - vec3(lamp.direction[0], lamp.direction[1], lamp.direction[2]);
-            const Real density =
-                gaussian_on_sphere(dot(off, off), environment::level_variance(e.chain, whole));
+            const Real density = gaussian_on_sphere(
+                dot(off, off), environment::level_variance(e.chain, whole) + lamp.variance);
             sum += (shares[i] * density) * vec3(lamp.light[0], lamp.light[1], lamp.light[2]);
         }
     }
