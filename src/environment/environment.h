@@ -33,6 +33,9 @@ struct Blurs {
 /// [see equations/footprint.glsl for why Gaussians]
 Blurs make_blurs(const Panorama& panorama);
 
+/// The panorama on a cube of faces of 2^log2_size texels, one level, as sharp as they are.
+CubeChain resampled(const Panorama& panorama, int log2_size);
+
 /// The chain alone, every lamp in every level.
 CubeChain make_chain(const Panorama& panorama);
 

@@ -134,6 +134,17 @@ void add_peaks(const Peaks& peaks, int level, CubeChain& chain)
     fill_borders(chain, level);
 }
 
+float brightest_of(const Panorama& panorama)
+{
+    float most = 0.0f;
+    for (int y = 0; y < panorama.height; ++y)
+        for (int x = 0; x < panorama.width; ++x) {
+            const Rgb c = panorama.radiance(x, y);
+            most = std::max(most, std::max(c.r, std::max(c.g, c.b)));
+        }
+    return most;
+}
+
 // `apart` says which lamps are left out of which levels.
 Blurs build(const Panorama& panorama, Lamps (*apart)(const Peaks&, const CubeChain&))
 {
@@ -180,6 +191,17 @@ GaussianTaps gaussian_taps(int count, float deviation)
         taps.z.push_back(static_cast<float>(std::cos(angle)));
     }
     return taps;
+}
+
+CubeChain resampled(const Panorama& panorama, int log2_size)
+{
+    const double brightest = brightest_of(panorama);
+    CubeChain chain;
+    chain.allocate(log2_size, 1);
+    chain.scale = chain_scale(static_cast<float>(brightest));
+    resample({&panorama, brightest_of_all, texel_points(panorama.width, chain.face_size(0))},
+             all_of(chain.face_size(0)), chain);
+    return chain;
 }
 
 Blurs make_blurs(const Panorama& panorama)

@@ -44,6 +44,12 @@ image::RadianceImage load_unpacked_panorama(const std::filesystem::path& path, W
 /// From light in memory, RGB or RGBA, all values finite and not negative.
 Panorama make_panorama(const image::RadianceImage& image);
 
+/// The same picture at another size, texels by bilinear interpolation.
+Panorama resized(const Panorama& panorama, int width, int height);
+
+/// Enlarged to that size if it is smaller: a sum over texels takes each for a point.
+Panorama at_least(const Panorama& panorama, int width, int height);
+
 /// Half as wide and high: each texel the mean over its solid angle, so that the light of every 2x2 block is kept.
 /// Width and height must be even.
 Panorama halved(const Panorama& panorama);

@@ -1,0 +1,152 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "environment/prefilter_kernel.cpp"
+#include <hwy/foreach_target.h>
+#include "wide/highway.h"
+
+#include "environment/prefilter.h"
+
+#include <cmath>
+#include <numbers>
+
+HWY_BEFORE_NAMESPACE();
+namespace lambent::environment::HWY_NAMESPACE {
+namespace {
+
+#include "wide/wide.h"
+
+// A weight, and half its Laplacian on the sphere: light spread by a variance v sees w + v (1/2 laplacian w).
+struct Weight {
+    Real value, curvature;
+};
+
+// w = c / q^2, q = A - B c: on the sphere the Laplacian of f(c) is (1 - c^2) f'' - 2 c f'.
+struct GgxWeight {
+    float a2, B;
+
+    explicit GgxWeight(const PrefilterLobe& lobe)
+        : a2(static_cast<float>(lobe.alpha * lobe.alpha)), B(0.5f * (1.0f - a2))
+    {
+    }
+
+    HWY_INLINE Weight at(Real c, Real versine) const
+    {
+        const Real p = reciprocal(Real(B) * versine + Real(a2)); // 1 / q
+        const Real s2 = versine * (2.0 - versine);
+        const Real p2 = p * p, Bp = Real(B) * p;
+        const Real bracket = c * (3.0 * Bp * Bp * s2 - 1.0) + 2.0 * Bp * (s2 - c * c);
+        return {c * p2, p2 * bracket};
+    }
+};
+
+struct PhongWeight {
+    float n;
+
+    explicit PhongWeight(const PrefilterLobe& lobe) : n(static_cast<float>(lobe.exponent)) {}
+
+    HWY_INLINE Weight at(Real c, Real versine) const
+    {
+        const Real safe = max(c, 1.0e-6);
+        const Real value = exp2(max(Real(n) * log2(safe), -120.0));
+        const Real s2 = versine * (2.0 - versine);
+        const Real inverse2 = reciprocal(safe * safe);
+        return {value, value * Real(n) * (Real(0.5f * (n - 1.0f)) * s2 * inverse2 - 1.0)};
+    }
+};
+
+template <class Shape>
+HWY_INLINE void add(const CellList& cells, const Shape& shape, float over, PrefilterTile& tile)
+{
+    for (size_t at = 0; at < tile.count; at += lane_count) {
+        const Real x = load(tile.x + at), y = load(tile.y + at), z = load(tile.z + at);
+        Real r = 0.0, g = 0.0, b = 0.0;
+        for (size_t i = 0; i < cells.size(); ++i) {
+            const Real dx = x - Real(cells.x[i]), dy = y - Real(cells.y[i]), dz = z - Real(cells.z[i]);
+            // 1 - cosine, from the chord: exact where the lobe is narrow.
+            const Real versine = 0.5 * (dx * dx + dy * dy + dz * dz), c = 1.0 - versine;
+            const Weight weight = shape.at(c, versine);
+            const Real w =
+                select(c > 0.0, max(weight.value + Real(cells.variance[i]) * weight.curvature, 0.0), 0.0);
+            r += w * Real(cells.r[i]);
+            g += w * Real(cells.g[i]);
+            b += w * Real(cells.b[i]);
+        }
+        store(Real(over) * r, tile.rgb[0] + at);
+        store(Real(over) * g, tile.rgb[1] + at);
+        store(Real(over) * b, tile.rgb[2] + at);
+    }
+}
+
+using DoubleTag = hn::ScalableTag<double>;
+
+void sum_row_by_definition(const TexelRow& row, TexelSum& sum)
+{
+    for (size_t i = 0; i < row.count; ++i) {
+        const double c = row.ring * (sum.x * row.x[i] + sum.z * row.z[i]) + sum.y * row.y;
+        const double w = row.area * sum.lobe.weight(c);
+        sum.rgb[0] += w * row.r[i];
+        sum.rgb[1] += w * row.g[i];
+        sum.rgb[2] += w * row.b[i];
+    }
+}
+
+void sum_row(const TexelRow& row, TexelSum& sum)
+{
+    const DoubleTag d;
+    const double a2 = sum.lobe.alpha * sum.lobe.alpha;
+    const auto nx = hn::Set(d, sum.x * row.ring), nz = hn::Set(d, sum.z * row.ring),
+               up = hn::Set(d, sum.y * row.y);
+    const auto A = hn::Set(d, 0.5 * (1.0 + a2)), B = hn::Set(d, 0.5 * (1.0 - a2)), none = hn::Zero(d);
+    auto r = none, g = none, b = none;
+    for (size_t i = 0; i < row.count; i += hn::Lanes(d)) {
+        const auto c = hn::MulAdd(nx, hn::LoadU(d, row.x + i), hn::MulAdd(nz, hn::LoadU(d, row.z + i), up));
+        const auto q = hn::NegMulAdd(B, c, A);
+        const auto w = hn::Div(hn::Max(c, none), hn::Mul(q, q));
+        r = hn::MulAdd(w, hn::LoadU(d, row.r + i), r);
+        g = hn::MulAdd(w, hn::LoadU(d, row.g + i), g);
+        b = hn::MulAdd(w, hn::LoadU(d, row.b + i), b);
+    }
+    sum.rgb[0] += row.area * hn::GetLane(hn::SumOfLanes(d, r));
+    sum.rgb[1] += row.area * hn::GetLane(hn::SumOfLanes(d, g));
+    sum.rgb[2] += row.area * hn::GetLane(hn::SumOfLanes(d, b));
+}
+
+} // namespace
+
+HWY_FLATTEN void add_cells(const CellList& cells, const PrefilterLobe& lobe, PrefilterTile& tile)
+{
+    const float over = static_cast<float>(1.0 / lobe.integral());
+    if (lobe.phong)
+        add(cells, PhongWeight(lobe), over, tile);
+    else
+        add(cells, GgxWeight(lobe), over, tile);
+}
+
+HWY_FLATTEN void add_texel_row(const TexelRow& row, TexelSum& sum)
+{
+    if (sum.lobe.phong)
+        sum_row_by_definition(row, sum);
+    else
+        sum_row(row, sum);
+}
+
+} // namespace lambent::environment::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace lambent::environment {
+
+HWY_EXPORT(add_cells);
+HWY_EXPORT(add_texel_row);
+
+void add_cells(const CellList& cells, const PrefilterLobe& lobe, PrefilterTile& tile)
+{
+    HWY_DYNAMIC_DISPATCH(add_cells)(cells, lobe, tile);
+}
+
+void add_texel_row(const TexelRow& row, TexelSum& sum)
+{
+    HWY_DYNAMIC_DISPATCH(add_texel_row)(row, sum);
+}
+
+} // namespace lambent::environment
+#endif
