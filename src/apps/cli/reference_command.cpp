@@ -103,6 +103,7 @@ void run(const ReferenceArguments& arguments)
     const RenderArguments& picture = arguments.picture;
     check_picture_file(picture.output);
     check_variance_file(arguments.variance);
+    const Interrupt interrupt; // from here on, so that what is asked while files load is not lost
     const ThreadLimit limit(picture.common.threads);
     Console console(picture.common.verbosity);
     Stopwatch watch;
@@ -115,7 +116,6 @@ void run(const ReferenceArguments& arguments)
     console.warn(warnings);
 
     const reference::Settings settings = settings_of(arguments, scene);
-    const Interrupt interrupt;
     const reference::Result result = reference::trace(
         scene, environment ? &*environment : nullptr, settings, [&](const reference::Progress& progress) {
             console.progress(static_cast<float>(progress.done), note_of(progress));
