@@ -11,33 +11,40 @@ namespace {
 
 constexpr int most_columns = 2048, least_columns = 32;
 
+constexpr double least_weight = 1e-18;
+
 // What a cell is made of: sums over its parts.
 struct Sums {
     double light[3] = {}, moment[3] = {}, weight = 0.0, variance = 0.0;
 
-    // `w` is a share of the light that says how much a direction counts.
-    void add(const double* direction, const double* rgb, double w, double own_variance)
+    void add(const LightCell& cell)
     {
+        const double rgb[3] = {cell.r, cell.g, cell.b}, direction[3] = {cell.x, cell.y, cell.z};
+        // Cells without light have a middle, too.
+        const double w = rgb[0] + rgb[1] + rgb[2] + least_weight;
         for (int k = 0; k < 3; ++k) {
             light[k] += rgb[k];
             moment[k] += w * direction[k];
         }
         weight += w;
-        variance += w * own_variance;
+        variance += w * static_cast<double>(cell.variance);
     }
 
-    void store(LightCellLevel& level, std::size_t at) const
+    LightCell cell() const
     {
-        const double length = std::hypot(moment[0], moment[1], moment[2]);
-        level.x[at] = static_cast<float>(moment[0] / length);
-        level.y[at] = static_cast<float>(moment[1] / length);
-        level.z[at] = static_cast<float>(moment[2] / length);
-        level.r[at] = static_cast<float>(light[0]);
-        level.g[at] = static_cast<float>(light[1]);
-        level.b[at] = static_cast<float>(light[2]);
+        const double length =
+            std::sqrt(moment[0] * moment[0] + moment[1] * moment[1] + moment[2] * moment[2]);
         // Unit vectors have a mean that falls short of 1 by their variance.
         const double spread = std::max(0.5 * (1.0 - (length / weight) * (length / weight)), 0.0);
-        level.variance[at] = static_cast<float>(spread + variance / weight);
+        LightCell cell;
+        cell.x = static_cast<float>(moment[0] / length);
+        cell.y = static_cast<float>(moment[1] / length);
+        cell.z = static_cast<float>(moment[2] / length);
+        cell.variance = static_cast<float>(spread + variance / weight);
+        cell.r = static_cast<float>(light[0]);
+        cell.g = static_cast<float>(light[1]);
+        cell.b = static_cast<float>(light[2]);
+        return cell;
     }
 };
 
@@ -46,9 +53,6 @@ LightCellLevel make_level(int width, int height)
     LightCellLevel level;
     level.width = width;
     level.height = height;
-    const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    for (auto* column : {&level.x, &level.y, &level.z, &level.r, &level.g, &level.b, &level.variance})
-        column->resize(count);
     for (int row = 0; row < height; ++row) {
         const double top = std::numbers::pi * row / height, bottom = std::numbers::pi * (row + 1) / height;
         const double sine = row < height / 2 && bottom > std::numbers::pi / 2
@@ -60,94 +64,64 @@ LightCellLevel make_level(int width, int height)
     return level;
 }
 
-// Texels weigh by their light, and a little by their area: cells without light have a middle, too.
-constexpr double least_weight = 1e-12;
+} // namespace
 
-class TexelGatherer {
-public:
-    explicit TexelGatherer(const Panorama& panorama) : panorama_(panorama)
-    {
-        for (int x = 0; x < panorama.width; ++x) {
-            const double phi = ((x + 0.5) / panorama.width - 0.5) * 2.0 * std::numbers::pi;
-            cosine_.push_back(std::cos(phi));
-            sine_.push_back(std::sin(phi));
-        }
-    }
-
-    // Row `row` of the level, of all texels whose middle is in it.
-    void gather(int row, LightCellLevel& level) const
-    {
-        const auto first = [&](int cell, int texels, int cells) {
-            return static_cast<int>((std::int64_t{cell} * texels + cells - 1) / cells);
-        };
-        std::vector<Sums> sums(static_cast<std::size_t>(level.width));
-        for (int y = first(row, panorama_.height, level.height);
-             y < first(row + 1, panorama_.height, level.height); ++y)
-            add_row(y, sums);
-        for (std::size_t i = 0; i < sums.size(); ++i)
-            sums[i].store(level, static_cast<std::size_t>(row) * sums.size() + i);
-    }
-
-private:
-    void add_row(int y, std::vector<Sums>& sums) const
-    {
-        const double area = texel_solid_angle(panorama_, y);
-        const double theta = (y + 0.5) / panorama_.height * std::numbers::pi;
-        const double ring = std::sin(theta), up = std::cos(theta);
-        const auto cells = static_cast<std::int64_t>(sums.size());
-        for (int x = 0; x < panorama_.width; ++x) {
-            const Rgb c = panorama_.radiance(x, y);
-            const double rgb[3] = {area * static_cast<double>(c.r), area * static_cast<double>(c.g),
-                                   area * static_cast<double>(c.b)};
-            const double d[3] = {ring * cosine_[static_cast<std::size_t>(x)], up,
-                                 ring * sine_[static_cast<std::size_t>(x)]};
-            const auto cell = static_cast<std::size_t>(x * cells / panorama_.width);
-            sums[cell].add(d, rgb, rgb[0] + rgb[1] + rgb[2] + least_weight * area, 0.0);
-        }
-    }
-
-    const Panorama& panorama_;
-    std::vector<double> cosine_, sine_;
-};
-
-LightCellLevel coarser(const LightCellLevel& fine)
+LightCellLevel LightTree::coarser() const
 {
-    LightCellLevel level = make_level((fine.width + 1) / 2, (fine.height + 1) / 2);
+    const std::size_t depth = levels_.size() - 1;
+    const int width = levels_[depth].width, height = levels_[depth].height;
+    LightCellLevel level = make_level((width + 1) / 2, (height + 1) / 2);
+    level.cells.resize(level.index(0, level.height));
     tbb::parallel_for(0, level.height, [&](int row) {
         for (int column = 0; column < level.width; ++column) {
             Sums sums;
-            for (int y = 2 * row; y < std::min(2 * row + 2, fine.height); ++y)
-                for (int x = 2 * column; x < std::min(2 * column + 2, fine.width); ++x) {
-                    const auto at = static_cast<std::size_t>(y) * static_cast<std::size_t>(fine.width) +
-                                    static_cast<std::size_t>(x);
-                    const double d[3] = {fine.x[at], fine.y[at], fine.z[at]};
-                    const double rgb[3] = {fine.r[at], fine.g[at], fine.b[at]};
-                    sums.add(d, rgb, rgb[0] + rgb[1] + rgb[2] + least_weight * 1e-6,
-                             static_cast<double>(fine.variance[at]));
-                }
-            sums.store(level, static_cast<std::size_t>(row) * static_cast<std::size_t>(level.width) +
-                                  static_cast<std::size_t>(column));
+            for (int y = 2 * row; y < std::min(2 * row + 2, height); ++y)
+                for (int x = 2 * column; x < std::min(2 * column + 2, width); ++x)
+                    sums.add(cell(depth, x, y));
+            level.cells[level.index(column, row)] = sums.cell();
         }
     });
     return level;
 }
 
-} // namespace
-
-LightTree make_light_tree(const Panorama& panorama, double extent)
+// Of all texels whose middle is in each cell.
+LightCellLevel LightTree::gathered(int width, int height) const
 {
+    LightCellLevel level = make_level(width, height);
+    level.cells.resize(level.index(0, height));
+    const auto first = [&](int row) {
+        return static_cast<int>((std::int64_t{row} * panorama_.height + height - 1) / height);
+    };
+    tbb::parallel_for(0, height, [&](int row) {
+        std::vector<Sums> sums(static_cast<std::size_t>(width));
+        for (int y = first(row); y < first(row + 1); ++y)
+            for (int x = 0; x < panorama_.width; ++x)
+                sums[static_cast<std::size_t>(std::int64_t{x} * width / panorama_.width)].add(texel(x, y));
+        for (int column = 0; column < width; ++column)
+            level.cells[level.index(column, row)] = sums[static_cast<std::size_t>(column)].cell();
+    });
+    return level;
+}
+
+LightTree::LightTree(const Panorama& panorama, double extent) : panorama_(panorama)
+{
+    for (int x = 0; x < panorama.width; ++x) {
+        const double phi = ((x + 0.5) / panorama.width - 0.5) * 2.0 * std::numbers::pi;
+        turns_.push_back({static_cast<float>(std::cos(phi)), static_cast<float>(std::sin(phi))});
+    }
+    for (int y = 0; y < panorama.height; ++y) {
+        const double theta = (y + 0.5) / panorama.height * std::numbers::pi;
+        rows_.push_back({static_cast<float>(std::cos(theta)), static_cast<float>(std::sin(theta)),
+                         static_cast<float>(texel_solid_angle(panorama, y))});
+    }
     int width = panorama.width, height = panorama.height;
     while (width > most_columns || (width > least_columns && 4.0 * std::numbers::pi / width < extent)) {
         width = (width + 1) / 2;
         height = std::max((height + 1) / 2, 1);
     }
-    LightTree tree;
-    tree.levels.push_back(make_level(width, height));
-    const TexelGatherer gatherer(panorama);
-    tbb::parallel_for(0, height, [&](int row) { gatherer.gather(row, tree.levels.front()); });
-    while (tree.levels.back().width > least_columns)
-        tree.levels.push_back(coarser(tree.levels.back()));
-    return tree;
+    levels_.push_back(width == panorama.width ? make_level(width, height) : gathered(width, height));
+    while (levels_.back().width > least_columns)
+        levels_.push_back(coarser());
 }
 
 } // namespace lambent::environment

@@ -4,25 +4,69 @@
 
 #include "environment/panorama.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace lambent::environment {
 
+struct LightCell {
+    float x, y, z;  ///< direction of the middle of its light, unit length
+    float variance; ///< of its light about that direction, angular, per axis, square radians
+    float r, g, b;  ///< its light: radiance times solid angle
+    float padding = 0.0f;
+};
+
 /// Cells of one size, row by row as the panorama.
 struct LightCellLevel {
     int width = 0, height = 0;
-    std::vector<float> x, y, z;  ///< direction of the middle of each cell's light, unit length
-    std::vector<float> r, g, b;  ///< its light: radiance times solid angle
-    std::vector<float> variance; ///< of its light about that direction, angular, per axis, square radians
-    std::vector<float> extent;   ///< [row]: the longer side of its cells, radians
+    std::vector<LightCell> cells; ///< none at a level whose cells are the panorama's texels
+    std::vector<float> extent;    ///< [row]: the longer side of its cells, radians
+
+    std::size_t index(int column, int row) const
+    {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(column);
+    }
 };
 
-/// Levels from the finest on; each has a quarter of the cells of the one before, the last at most 32x16.
-struct LightTree {
-    std::vector<LightCellLevel> levels;
-};
+/// Levels from the finest on; each has a quarter of the cells of the one before, the last at most 32 columns.
+class LightTree {
+public:
+    /// Its finest cells are the texels where those have to be that small: where `extent` radians are less than two
+    /// texels. At most 2048 columns are kept. The panorama has to outlive the tree.
+    LightTree(const Panorama& panorama, double extent);
 
-/// Cells no larger than `extent` radians if the texels are no larger: at most 2048x1024, else the texels' own size.
-LightTree make_light_tree(const Panorama& panorama, double extent);
+    const std::vector<LightCellLevel>& levels() const { return levels_; }
+
+    LightCell cell(std::size_t depth, int column, int row) const
+    {
+        const LightCellLevel& level = levels_[depth];
+        return level.cells.empty() ? texel(column, row) : level.cells[level.index(column, row)];
+    }
+
+private:
+    struct Turn {
+        float cosine, sine;
+    };
+    struct Row {
+        float up, ring, area;
+    };
+
+    LightCell texel(int column, int row) const
+    {
+        const Rgb c = panorama_.radiance(column, row);
+        const Turn turn = turns_[static_cast<std::size_t>(column)];
+        const Row at = rows_[static_cast<std::size_t>(row)];
+        return {at.ring * turn.cosine, at.up,         at.ring * turn.sine, 0.0f,
+                at.area * c.r,         at.area * c.g, at.area * c.b};
+    }
+    LightCellLevel coarser() const;
+    LightCellLevel gathered(int width, int height) const;
+
+    const Panorama& panorama_;
+    std::vector<Turn> turns_; // by column
+    std::vector<Row> rows_;
+    std::vector<LightCellLevel> levels_;
+};
 
 } // namespace lambent::environment

@@ -11,55 +11,11 @@ namespace {
 // lobe has there.
 constexpr double horizon_extent = 0.05;
 
-struct Walk {
-    const LightTree& tree;
-    double x = 0.0, y = 0.0, z = 0.0; ///< the tile's middle
-    double radius = 0.0;              ///< of the tile, as a chord
-    double core2 = 0.0;               ///< square of the lobe's width
-    double fineness2 = 0.0;
-    double at_horizon = 0.0; ///< largest extent there
-    CellList& cells;
+// In a lobe's middle cells are finer than this part of its alpha, whatever their distance.
+constexpr double core = 0.45;
 
-    void visit(std::size_t level, int column, int row);
-
-private:
-    bool is_fine(const LightCellLevel& cells, std::size_t at, int row, bool& unseen) const;
-};
-
-bool Walk::is_fine(const LightCellLevel& level, std::size_t at, int row, bool& unseen) const
-{
-    const double dx = static_cast<double>(level.x[at]) - x, dy = static_cast<double>(level.y[at]) - y,
-                 dz = static_cast<double>(level.z[at]) - z;
-    const double chord = std::sqrt(dx * dx + dy * dy + dz * dz);
-    const double extent = static_cast<double>(level.extent[static_cast<std::size_t>(row)]);
-    const double reach = radius + 1.42 * extent; // its light may be in a corner
-    unseen = chord > std::numbers::sqrt2 + reach;
-    if (std::fabs(chord - std::numbers::sqrt2) < reach && extent > at_horizon)
-        return false;
-    const double distance = std::max(chord - radius - 0.7 * extent, 0.0);
-    return extent * extent * fineness2 <= distance * distance + core2;
-}
-
-void Walk::visit(std::size_t depth, int column, int row)
-{
-    const LightCellLevel& level = tree.levels[depth];
-    const auto at = static_cast<std::size_t>(row) * static_cast<std::size_t>(level.width) +
-                    static_cast<std::size_t>(column);
-    bool unseen = false;
-    const bool fine = is_fine(level, at, row, unseen);
-    if (unseen)
-        return;
-    if (fine || depth == 0) {
-        cells.x.push_back(level.x[at]), cells.y.push_back(level.y[at]), cells.z.push_back(level.z[at]);
-        cells.r.push_back(level.r[at]), cells.g.push_back(level.g[at]), cells.b.push_back(level.b[at]);
-        cells.variance.push_back(level.variance[at]);
-        return;
-    }
-    const LightCellLevel& next = tree.levels[depth - 1];
-    for (int j = 2 * row; j < std::min(2 * row + 2, next.height); ++j)
-        for (int i = 2 * column; i < std::min(2 * column + 2, next.width); ++i)
-            visit(depth - 1, i, j);
-}
+// Cells with more than this share of all light are finer still, by so many times.
+constexpr double bright_share = 0.002, bright_times = 4.0;
 
 } // namespace
 
@@ -95,41 +51,138 @@ PrefilterLobe phong_lobe(double exponent)
     return {true, exponent, std::sqrt(2.0 / (exponent + 2.0))};
 }
 
-void CellList::clear()
+double finest_extent(const PrefilterLobe& lobe, double fineness)
 {
-    for (auto* column : {&x, &y, &z, &r, &g, &b, &variance})
-        column->clear();
+    return core * lobe.alpha / fineness;
 }
 
-void prefilter_tile(const LightTree& tree, const PrefilterLobe& lobe, double fineness, CellList& cells,
-                    PrefilterTile& tile)
-{
-    cells.clear();
-    Walk walk{tree,
-              0.0,
-              0.0,
-              0.0,
-              0.0,
-              4.0 * lobe.alpha * lobe.alpha,
-              fineness * fineness,
-              horizon_extent / lobe.alpha,
-              cells};
-    for (std::size_t i = 0; i < tile.count; ++i) {
-        walk.x += static_cast<double>(tile.x[i]);
-        walk.y += static_cast<double>(tile.y[i]);
-        walk.z += static_cast<double>(tile.z[i]);
+// All directions of a patch or a tile.
+struct Prefilter::Cap {
+    float x = 0.0f, y = 0.0f, z = 0.0f; // middle
+    float radius = 0.0f;                // as a chord
+
+    Cap(const PrefilterPatch& patch, std::size_t first, std::size_t count)
+    {
+        for (std::size_t i = first; i < first + count; ++i)
+            x += patch.x[i], y += patch.y[i], z += patch.z[i];
+        const float over = 1.0f / std::max(std::sqrt(x * x + y * y + z * z), 1e-6f);
+        x *= over, y *= over, z *= over;
+        for (std::size_t i = first; i < first + count; ++i)
+            radius = std::max(radius, square_chord(patch.x[i], patch.y[i], patch.z[i]));
+        radius = std::sqrt(radius);
     }
-    const double length = std::max(std::hypot(walk.x, walk.y, walk.z), 1e-9);
-    walk.x /= length, walk.y /= length, walk.z /= length;
-    for (std::size_t i = 0; i < tile.count; ++i)
-        walk.radius = std::max(walk.radius, std::hypot(static_cast<double>(tile.x[i]) - walk.x,
-                                                       static_cast<double>(tile.y[i]) - walk.y,
-                                                       static_cast<double>(tile.z[i]) - walk.z));
-    const LightCellLevel& top = tree.levels.back();
+
+    float square_chord(float px, float py, float pz) const
+    {
+        const float dx = px - x, dy = py - y, dz = pz - z;
+        return dx * dx + dy * dy + dz * dz;
+    }
+};
+
+// Finds cells that stand for all light which a cap sees.
+class Prefilter::Walk {
+public:
+    Walk(const Prefilter& prefilter, const Cap& cap, std::vector<LightCell>& cells,
+         std::vector<Scratch::Place>* left)
+        : prefilter_(prefilter), cap_(cap), cells_(cells), left_(left)
+    {
+    }
+
+    void visit(int depth, int column, int row);
+
+private:
+    static bool beyond(float square, float chord) { return chord < 0.0f || square > chord * chord; }
+
+    const Prefilter& prefilter_;
+    const Cap& cap_;
+    std::vector<LightCell>& cells_;
+    std::vector<Scratch::Place>* left_; // null: nothing may be left
+};
+
+void Prefilter::Walk::visit(int depth, int column, int row)
+{
+    constexpr float horizon = std::numbers::sqrt2_v<float>;
+    const Bounds bounds = prefilter_.bounds_[static_cast<std::size_t>(depth)][static_cast<std::size_t>(row)];
+    const LightCell cell = prefilter_.tree_.cell(static_cast<std::size_t>(depth), column, row);
+    const float square = cap_.square_chord(cell.x, cell.y, cell.z);
+    const float reach = cap_.radius + bounds.reach;
+    if (beyond(square, horizon + reach))
+        return;
+    const float far = cell.g > prefilter_.bright_ ? bounds.far_bright : bounds.far;
+    const bool at_horizon = !bounds.fine_at_horizon && beyond(square, horizon - reach);
+    if (depth == 0 || (!at_horizon && beyond(square, far < 0.0f ? -1.0f : far + cap_.radius))) {
+        cells_.push_back(cell);
+        return;
+    }
+    // Fine enough for a part of the cap, perhaps: each tile looks for itself.
+    const float sure = bounds.reach - cap_.radius;
+    const bool all_at_horizon =
+        at_horizon && sure > 0.0f && beyond(square, horizon - sure) && !beyond(square, horizon + sure);
+    if (left_ && !all_at_horizon && beyond(square, far - cap_.radius)) {
+        left_->push_back({depth, column, row});
+        return;
+    }
+    const LightCellLevel& next = prefilter_.tree_.levels()[static_cast<std::size_t>(depth - 1)];
+    for (int j = 2 * row; j < std::min(2 * row + 2, next.height); ++j)
+        for (int i = 2 * column; i < std::min(2 * column + 2, next.width); ++i)
+            visit(depth - 1, i, j);
+}
+
+Prefilter::Prefilter(const LightTree& tree, const PrefilterLobe& lobe, double fineness)
+    : tree_(tree), lobe_(lobe)
+{
+    double light = 0.0;
+    const LightCellLevel& top = tree.levels().back();
     for (int row = 0; row < top.height; ++row)
         for (int column = 0; column < top.width; ++column)
-            walk.visit(tree.levels.size() - 1, column, row);
-    add_cells(cells, lobe, tile);
+            light += static_cast<double>(tree.cell(tree.levels().size() - 1, column, row).g);
+    bright_ = static_cast<float>(bright_share * light);
+    const double core2 = core * core * lobe.alpha * lobe.alpha, at_horizon = horizon_extent / lobe.alpha;
+    for (const LightCellLevel& level : tree.levels()) {
+        std::vector<Bounds>& rows = bounds_.emplace_back();
+        for (float width : level.extent) {
+            const double extent = static_cast<double>(width);
+            const auto far = [&](double times) {
+                const double distance2 = extent * extent * fineness * fineness * times * times - core2;
+                return static_cast<float>(distance2 > 0.0 ? std::sqrt(distance2) + 0.7 * extent : -1.0);
+            };
+            rows.push_back(
+                {far(1.0), far(bright_times), static_cast<float>(1.42 * extent), extent <= at_horizon});
+        }
+    }
+}
+
+void Prefilter::fill(PrefilterPatch& patch, Scratch& scratch) const
+{
+    for (float* column : {patch.r, patch.g, patch.b})
+        std::fill_n(column, PrefilterPatch::tile * patch.tiles, 0.0f);
+    std::vector<Scratch::Place>& all = scratch.left[0];
+    all.clear();
+    const int top = static_cast<int>(tree_.levels().size()) - 1;
+    for (int row = 0; row < tree_.levels().back().height; ++row)
+        for (int column = 0; column < tree_.levels().back().width; ++column)
+            all.push_back({top, column, row});
+    fill(patch, {0, patch.tiles, 0}, scratch);
+}
+
+// What is fine enough for all of a part is added to all of it at once; the rest is looked at by its quarters.
+void Prefilter::fill(PrefilterPatch& patch, const Part& part, Scratch& scratch) const
+{
+    constexpr std::size_t tile = PrefilterPatch::tile;
+    const bool whole = part.tiles == 1;
+    const Cap cap(patch, tile * part.first, tile * part.tiles);
+    std::vector<Scratch::Place>& left = scratch.left[part.depth + 1];
+    left.clear();
+    scratch.cells.clear();
+    Walk walk(*this, cap, scratch.cells, whole ? nullptr : &left);
+    for (const Scratch::Place& place : scratch.left[part.depth])
+        walk.visit(place.depth, place.column, place.row);
+    add_cells(scratch.cells, lobe_, {patch, tile * part.first, tile * part.tiles});
+    if (whole || left.empty())
+        return;
+    const std::size_t quarter = std::max(part.tiles / 4, std::size_t{1});
+    for (std::size_t first = part.first; first < part.first + part.tiles; first += quarter)
+        fill(patch, {first, std::min(quarter, part.first + part.tiles - first), part.depth + 1}, scratch);
 }
 
 } // namespace lambent::environment

@@ -24,29 +24,64 @@ struct PrefilterLobe {
 PrefilterLobe ggx_lobe(double alpha);
 PrefilterLobe phong_lobe(double exponent);
 
-/// Directions near each other, and what arrives there.
-struct PrefilterTile {
-    static constexpr std::size_t most = 16;
-    alignas(64) float x[most] = {}, y[most] = {}, z[most] = {}; ///< unit length
-    alignas(64) float rgb[3][most] = {};
-    std::size_t count = 0;
+/// Texels near each other, and what arrives there. By tiles of directions nearer still; four tiles one after the other
+/// are near, too, and so are four such fours.
+struct PrefilterPatch {
+    static constexpr std::size_t tile = 16, most = 64 * tile;
+    alignas(64) float x[most], y[most], z[most]; ///< unit length; a tile that is not full repeats a direction
+    alignas(64) float r[most], g[most], b[most];
+    std::size_t tiles = 0;
 };
 
-/// Cells that stand for all light that a tile sees; kept from tile to tile for its memory.
-struct CellList {
-    std::vector<float> x, y, z, r, g, b, variance;
+/// Of a tree for that lobe.
+double finest_extent(const PrefilterLobe& lobe, double fineness);
 
-    void clear();
-    std::size_t size() const { return x.size(); }
+/// The mean over one lobe of the light in a tree. `fineness` is how many times a cell is smaller than its distance or
+/// about half the lobe: 1 gives errors of some tenths of a percent, which fall with its fourth power.
+class Prefilter {
+public:
+    Prefilter(const LightTree& tree, const PrefilterLobe& lobe, double fineness);
+
+    /// What a thread keeps from patch to patch for its memory.
+    struct Scratch {
+        struct Place {
+            int depth, column, row;
+        };
+        std::vector<Place> left[6]; // by depth of the part of the patch
+        std::vector<LightCell> cells;
+    };
+
+    /// Fills a patch's r, g and b.
+    void fill(PrefilterPatch& patch, Scratch& scratch) const;
+
+private:
+    // A row of cells: the least chord from which they are fine enough, less than 0 for any, and how far their light
+    // may be from their middle.
+    struct Bounds {
+        float far, far_bright, reach;
+        bool fine_at_horizon;
+    };
+    struct Part {
+        std::size_t first, tiles, depth;
+    };
+    struct Cap;
+    class Walk;
+
+    void fill(PrefilterPatch& patch, const Part& part, Scratch& scratch) const;
+
+    const LightTree& tree_;
+    PrefilterLobe lobe_;
+    float bright_ = 0.0f;                     // light of a cell that asks for more
+    std::vector<std::vector<Bounds>> bounds_; // [depth][row]
 };
 
-/// Fills a tile's rgb with the mean over the lobe. `fineness` is how many times a cell is smaller than its distance or
-/// the lobe, about 4; the error falls with its fourth power.
-void prefilter_tile(const LightTree& tree, const PrefilterLobe& lobe, double fineness, CellList& cells,
-                    PrefilterTile& tile);
-
-/// The sum over cells of light times weight, with the weight's curvature over each cell. (The SIMD part.)
-void add_cells(const CellList& cells, const PrefilterLobe& lobe, PrefilterTile& tile);
+/// Adds to texels of a patch, from the first on, the sum over cells of light times weight, with the weight's curvature
+/// over each cell. (The SIMD part.)
+struct PrefilterTexels {
+    PrefilterPatch& patch;
+    std::size_t first, count; ///< multiples of PrefilterPatch::tile
+};
+void add_cells(std::span<const LightCell> cells, const PrefilterLobe& lobe, const PrefilterTexels& texels);
 
 /// A direction in which the mean over a lobe is wanted of all texels, one by one, in double: to check the tree by.
 struct TexelSum {

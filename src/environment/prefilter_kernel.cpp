@@ -53,26 +53,57 @@ struct PhongWeight {
     }
 };
 
+// Lanes of texels, and what arrives there.
+struct Texels {
+    Real x, y, z, r = 0.0, g = 0.0, b = 0.0;
+
+    HWY_INLINE Texels(const PrefilterPatch& patch, size_t at)
+        : x(load(patch.x + at)), y(load(patch.y + at)), z(load(patch.z + at))
+    {
+    }
+
+    template <class Shape>
+    HWY_INLINE void add(const LightCell& cell, const Shape& shape)
+    {
+        const Real dx = x - Real(cell.x), dy = y - Real(cell.y), dz = z - Real(cell.z);
+        // 1 - cosine, from the chord: exact where the lobe is narrow.
+        const Real versine = 0.5 * (dx * dx + dy * dy + dz * dz), c = 1.0 - versine;
+        const Weight weight = shape.at(c, versine);
+        const Real w = select(c > 0.0, max(weight.value + Real(cell.variance) * weight.curvature, 0.0), 0.0);
+        r += w * Real(cell.r);
+        g += w * Real(cell.g);
+        b += w * Real(cell.b);
+    }
+
+    HWY_INLINE void store_to(PrefilterPatch& patch, size_t at, Real over) const
+    {
+        store(load(patch.r + at) + over * r, patch.r + at);
+        store(load(patch.g + at) + over * g, patch.g + at);
+        store(load(patch.b + at) + over * b, patch.b + at);
+    }
+};
+
 template <class Shape>
-HWY_INLINE void add(const CellList& cells, const Shape& shape, float over, PrefilterTile& tile)
+HWY_INLINE void add(std::span<const LightCell> cells, const Shape& shape, float over,
+                    const PrefilterTexels& texels)
 {
-    for (size_t at = 0; at < tile.count; at += lane_count) {
-        const Real x = load(tile.x + at), y = load(tile.y + at), z = load(tile.z + at);
-        Real r = 0.0, g = 0.0, b = 0.0;
-        for (size_t i = 0; i < cells.size(); ++i) {
-            const Real dx = x - Real(cells.x[i]), dy = y - Real(cells.y[i]), dz = z - Real(cells.z[i]);
-            // 1 - cosine, from the chord: exact where the lobe is narrow.
-            const Real versine = 0.5 * (dx * dx + dy * dy + dz * dz), c = 1.0 - versine;
-            const Weight weight = shape.at(c, versine);
-            const Real w =
-                select(c > 0.0, max(weight.value + Real(cells.variance[i]) * weight.curvature, 0.0), 0.0);
-            r += w * Real(cells.r[i]);
-            g += w * Real(cells.g[i]);
-            b += w * Real(cells.b[i]);
+    size_t at = texels.first;
+    const size_t end = texels.first + texels.count;
+    // Two at once, so that they share the loads of the cells.
+    for (; at + 2 * lane_count <= end; at += 2 * lane_count) {
+        Texels first(texels.patch, at), second(texels.patch, at + lane_count);
+        for (const LightCell& cell : cells) {
+            first.add(cell, shape);
+            second.add(cell, shape);
         }
-        store(Real(over) * r, tile.rgb[0] + at);
-        store(Real(over) * g, tile.rgb[1] + at);
-        store(Real(over) * b, tile.rgb[2] + at);
+        first.store_to(texels.patch, at, over);
+        second.store_to(texels.patch, at + lane_count, over);
+    }
+    for (; at < end; at += lane_count) {
+        Texels only(texels.patch, at);
+        for (const LightCell& cell : cells)
+            only.add(cell, shape);
+        only.store_to(texels.patch, at, over);
     }
 }
 
@@ -112,13 +143,14 @@ void sum_row(const TexelRow& row, TexelSum& sum)
 
 } // namespace
 
-HWY_FLATTEN void add_cells(const CellList& cells, const PrefilterLobe& lobe, PrefilterTile& tile)
+HWY_FLATTEN void add_cells(std::span<const LightCell> cells, const PrefilterLobe& lobe,
+                           const PrefilterTexels& texels)
 {
     const float over = static_cast<float>(1.0 / lobe.integral());
     if (lobe.phong)
-        add(cells, PhongWeight(lobe), over, tile);
+        add(cells, PhongWeight(lobe), over, texels);
     else
-        add(cells, GgxWeight(lobe), over, tile);
+        add(cells, GgxWeight(lobe), over, texels);
 }
 
 HWY_FLATTEN void add_texel_row(const TexelRow& row, TexelSum& sum)
@@ -138,9 +170,9 @@ namespace lambent::environment {
 HWY_EXPORT(add_cells);
 HWY_EXPORT(add_texel_row);
 
-void add_cells(const CellList& cells, const PrefilterLobe& lobe, PrefilterTile& tile)
+void add_cells(std::span<const LightCell> cells, const PrefilterLobe& lobe, const PrefilterTexels& texels)
 {
-    HWY_DYNAMIC_DISPATCH(add_cells)(cells, lobe, tile);
+    HWY_DYNAMIC_DISPATCH(add_cells)(cells, lobe, texels);
 }
 
 void add_texel_row(const TexelRow& row, TexelSum& sum)

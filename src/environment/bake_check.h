@@ -1,0 +1,28 @@
+// What a baked cube's levels are worth: some texels against the sum over all of the panorama, in double.
+#pragma once
+
+#include "environment/cube_faces.h"
+#include "environment/panorama.h"
+#include "environment/prefilter.h"
+#include "image/cube_map.h"
+
+#include <vector>
+
+namespace lambent::environment {
+
+struct CheckedLevel {
+    int level;
+    PrefilterLobe lobe;
+};
+
+/// The relative RMSE of each level given, at random texels and at random ones near its brightest: whichever is larger.
+std::vector<double> check_levels(const Panorama& panorama, const image::CubeMap& cube,
+                                 const std::vector<CheckedLevel>& levels);
+
+/// The direction of a texel's middle.
+struct TexelPlace {
+    int face, x, y, size;
+};
+Direction texel_direction(const TexelPlace& place);
+
+} // namespace lambent::environment
