@@ -91,7 +91,7 @@ struct Worker {
         prefilter.fill(patch, scratch);
         for_each_texel(place, size, [&](int x, int y, std::size_t at) {
             float* texel = cube.pixel(place.level, place.face, x, y);
-            texel[0] = patch.r[at], texel[1] = patch.g[at], texel[2] = patch.b[at];
+            texel[0] = patch.dim.r[at], texel[1] = patch.dim.g[at], texel[2] = patch.dim.b[at];
         });
     }
 };

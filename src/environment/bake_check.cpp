@@ -1,6 +1,5 @@
 #include "environment/bake_check.h"
 
-
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -47,7 +46,8 @@ std::vector<Check> choose_checks(const image::CubeMap& cube, int level, std::mt1
 }
 
 // Of the checks from `first` on, every second one.
-double relative_error(const std::vector<TexelSum>& sums, const std::vector<const float*>& found, std::size_t first)
+double relative_error(const std::vector<TexelSum>& sums, const std::vector<const float*>& found,
+                      std::size_t first)
 {
     double square = 0.0, mean = 0.0;
     for (std::size_t i = 0; i < checks_per_part; ++i)
@@ -85,7 +85,8 @@ std::vector<double> check_levels(const Panorama& panorama, const image::CubeMap&
     std::vector<double> errors;
     for (std::size_t i = 0; i < levels.size(); ++i) {
         const std::size_t first = 2 * checks_per_part * i;
-        errors.push_back(std::max(relative_error(sums, found, first), relative_error(sums, found, first + 1)));
+        errors.push_back(
+            std::max(relative_error(sums, found, first), relative_error(sums, found, first + 1)));
     }
     return errors;
 }

@@ -11,42 +11,86 @@ namespace {
 
 constexpr int most_columns = 2048, least_columns = 32;
 
-constexpr double least_weight = 1e-18;
+// The mean direction of parts, and how they spread.
+struct Moment {
+    double sum[3] = {}, weight = 0.0, variance = 0.0;
 
-// What a cell is made of: sums over its parts.
-struct Sums {
-    double light[3] = {}, moment[3] = {}, weight = 0.0, variance = 0.0;
-
-    void add(const LightCell& cell)
+    void add(const LightCell& cell, double w)
     {
-        const double rgb[3] = {cell.r, cell.g, cell.b}, direction[3] = {cell.x, cell.y, cell.z};
-        // Cells without light have a middle, too.
-        const double w = rgb[0] + rgb[1] + rgb[2] + least_weight;
-        for (int k = 0; k < 3; ++k) {
-            light[k] += rgb[k];
-            moment[k] += w * direction[k];
-        }
+        sum[0] += w * static_cast<double>(cell.x);
+        sum[1] += w * static_cast<double>(cell.y);
+        sum[2] += w * static_cast<double>(cell.z);
         weight += w;
         variance += w * static_cast<double>(cell.variance);
     }
 
     LightCell cell() const
     {
-        const double length =
-            std::sqrt(moment[0] * moment[0] + moment[1] * moment[1] + moment[2] * moment[2]);
+        const double square = sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2];
+        const double over = 1.0 / std::sqrt(square);
         // Unit vectors have a mean that falls short of 1 by their variance.
-        const double spread = std::max(0.5 * (1.0 - (length / weight) * (length / weight)), 0.0);
-        LightCell cell;
-        cell.x = static_cast<float>(moment[0] / length);
-        cell.y = static_cast<float>(moment[1] / length);
-        cell.z = static_cast<float>(moment[2] / length);
+        const double spread = std::max(0.5 * (1.0 - square / (weight * weight)), 0.0);
+        LightCell cell{};
+        cell.x = static_cast<float>(over * sum[0]);
+        cell.y = static_cast<float>(over * sum[1]);
+        cell.z = static_cast<float>(over * sum[2]);
         cell.variance = static_cast<float>(spread + variance / weight);
-        cell.r = static_cast<float>(light[0]);
-        cell.g = static_cast<float>(light[1]);
-        cell.b = static_cast<float>(light[2]);
         return cell;
     }
 };
+
+// What a cell is made of: sums over its parts.
+struct Sums {
+    double rgb[3] = {};
+    Moment light, area;
+
+    void add(const LightCell& part, const LightCell& part_area)
+    {
+        const double r = part.r, g = part.g, b = part.b;
+        rgb[0] += r, rgb[1] += g, rgb[2] += b;
+        light.add(part, r + g + b);
+        area.add(part_area, static_cast<double>(part_area.area));
+    }
+};
+
+// How far apart, in parts of a cell's extent, the middles of its light and of its area may be to count as one, and in
+// parts of its square how different the variances.
+constexpr float same_middle = 0.02f, same_variance = 0.01f;
+
+// The cell of these sums; in `area`, and true, if its area needs one of its own.
+bool split(const Sums& sums, float extent, LightCell& cell, LightCell& area)
+{
+    area = sums.area.cell();
+    area.area = static_cast<float>(sums.area.weight);
+    cell = sums.light.weight > 0.0 ? sums.light.cell() : area;
+    cell.r = static_cast<float>(sums.rgb[0]);
+    cell.g = static_cast<float>(sums.rgb[1]);
+    cell.b = static_cast<float>(sums.rgb[2]);
+    const float dx = cell.x - area.x, dy = cell.y - area.y, dz = cell.z - area.z, e2 = extent * extent;
+    const bool same = dx * dx + dy * dy + dz * dz <= same_middle * same_middle * e2 &&
+                      std::fabs(cell.variance - area.variance) <= same_variance * e2;
+    cell.area = same ? area.area : 0.0f;
+    return !same;
+}
+
+void store(const Sums& sums, LightCellLevel& level, int column, int row)
+{
+    LightCell area;
+    std::vector<LightCell>& areas = level.areas[static_cast<std::size_t>(row)];
+    const std::size_t at = level.index(column, row);
+    if (split(sums, level.extent[static_cast<std::size_t>(row)], level.cells[at], area)) {
+        level.area_index[at] = static_cast<std::uint16_t>(areas.size());
+        areas.push_back(area);
+    }
+}
+
+void allocate(LightCellLevel& level)
+{
+    const std::size_t count = level.index(0, level.height);
+    level.cells.resize(count);
+    level.area_index.resize(count);
+    level.areas.resize(static_cast<std::size_t>(level.height));
+}
 
 LightCellLevel make_level(int width, int height)
 {
@@ -71,14 +115,16 @@ LightCellLevel LightTree::coarser() const
     const std::size_t depth = levels_.size() - 1;
     const int width = levels_[depth].width, height = levels_[depth].height;
     LightCellLevel level = make_level((width + 1) / 2, (height + 1) / 2);
-    level.cells.resize(level.index(0, level.height));
+    allocate(level);
     tbb::parallel_for(0, level.height, [&](int row) {
         for (int column = 0; column < level.width; ++column) {
             Sums sums;
             for (int y = 2 * row; y < std::min(2 * row + 2, height); ++y)
-                for (int x = 2 * column; x < std::min(2 * column + 2, width); ++x)
-                    sums.add(cell(depth, x, y));
-            level.cells[level.index(column, row)] = sums.cell();
+                for (int x = 2 * column; x < std::min(2 * column + 2, width); ++x) {
+                    const LightCell part = cell(depth, x, y);
+                    sums.add(part, part.area > 0.0f ? part : area(depth, x, y));
+                }
+            store(sums, level, column, row);
         }
     });
     return level;
@@ -88,17 +134,19 @@ LightCellLevel LightTree::coarser() const
 LightCellLevel LightTree::gathered(int width, int height) const
 {
     LightCellLevel level = make_level(width, height);
-    level.cells.resize(level.index(0, height));
+    allocate(level);
     const auto first = [&](int row) {
         return static_cast<int>((std::int64_t{row} * panorama_.height + height - 1) / height);
     };
     tbb::parallel_for(0, height, [&](int row) {
         std::vector<Sums> sums(static_cast<std::size_t>(width));
         for (int y = first(row); y < first(row + 1); ++y)
-            for (int x = 0; x < panorama_.width; ++x)
-                sums[static_cast<std::size_t>(std::int64_t{x} * width / panorama_.width)].add(texel(x, y));
+            for (int x = 0; x < panorama_.width; ++x) {
+                const LightCell part = texel(x, y);
+                sums[static_cast<std::size_t>(std::int64_t{x} * width / panorama_.width)].add(part, part);
+            }
         for (int column = 0; column < width; ++column)
-            level.cells[level.index(column, row)] = sums[static_cast<std::size_t>(column)].cell();
+            store(sums[static_cast<std::size_t>(column)], level, column, row);
     });
     return level;
 }

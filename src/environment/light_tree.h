@@ -5,6 +5,7 @@
 #include "environment/panorama.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace lambent::environment {
@@ -13,7 +14,7 @@ struct LightCell {
     float x, y, z;  ///< direction of the middle of its light, unit length
     float variance; ///< of its light about that direction, angular, per axis, square radians
     float r, g, b;  ///< its light: radiance times solid angle
-    float padding = 0.0f;
+    float area;     ///< solid angle with the same middle; 0 if that of the light is elsewhere
 };
 
 /// Cells of one size, row by row as the panorama.
@@ -21,6 +22,10 @@ struct LightCellLevel {
     int width = 0, height = 0;
     std::vector<LightCell> cells; ///< none at a level whose cells are the panorama's texels
     std::vector<float> extent;    ///< [row]: the longer side of its cells, radians
+
+    /// [row]: for its cells of no area, in order, one with that area and no light.
+    std::vector<std::vector<LightCell>> areas;
+    std::vector<std::uint16_t> area_index; ///< [cell]
 
     std::size_t index(int column, int row) const
     {
@@ -44,6 +49,13 @@ public:
         return level.cells.empty() ? texel(column, row) : level.cells[level.index(column, row)];
     }
 
+    /// The area of a cell that has none of its own.
+    const LightCell& area(std::size_t depth, int column, int row) const
+    {
+        const LightCellLevel& level = levels_[depth];
+        return level.areas[static_cast<std::size_t>(row)][level.area_index[level.index(column, row)]];
+    }
+
 private:
     struct Turn {
         float cosine, sine;
@@ -58,7 +70,7 @@ private:
         const Turn turn = turns_[static_cast<std::size_t>(column)];
         const Row at = rows_[static_cast<std::size_t>(row)];
         return {at.ring * turn.cosine, at.up,         at.ring * turn.sine, 0.0f,
-                at.area * c.r,         at.area * c.g, at.area * c.b};
+                at.area * c.r,         at.area * c.g, at.area * c.b,       at.area};
     }
     LightCellLevel coarser() const;
     LightCellLevel gathered(int width, int height) const;

@@ -15,7 +15,10 @@ constexpr double horizon_extent = 0.05;
 constexpr double core = 0.45;
 
 // Cells with more than this share of all light are finer still, by so many times.
-constexpr double bright_share = 0.002, bright_times = 4.0;
+constexpr double much_light = 0.002, much_light_times = 4.0;
+
+// Cells with more than so many times the mean radiance are summed apart.
+constexpr double bright_times = 2.0;
 
 } // namespace
 
@@ -82,22 +85,33 @@ struct Prefilter::Cap {
 // Finds cells that stand for all light which a cap sees.
 class Prefilter::Walk {
 public:
-    Walk(const Prefilter& prefilter, const Cap& cap, std::vector<LightCell>& cells,
-         std::vector<Scratch::Place>* left)
-        : prefilter_(prefilter), cap_(cap), cells_(cells), left_(left)
+    Walk(const Prefilter& prefilter, const Cap& cap, Scratch& scratch, std::vector<Scratch::Place>* left)
+        : prefilter_(prefilter), cap_(cap), scratch_(scratch), left_(left)
     {
     }
 
     void visit(int depth, int column, int row);
 
 private:
+    void take(const LightCell& cell, int depth, int column, int row);
     static bool beyond(float square, float chord) { return chord < 0.0f || square > chord * chord; }
 
     const Prefilter& prefilter_;
     const Cap& cap_;
-    std::vector<LightCell>& cells_;
+    Scratch& scratch_;
     std::vector<Scratch::Place>* left_; // null: nothing may be left
 };
+
+void Prefilter::Walk::take(const LightCell& cell, int depth, int column, int row)
+{
+    const bool own = cell.area > 0.0f;
+    const LightCell& area = own ? cell : prefilter_.tree_.area(static_cast<std::size_t>(depth), column, row);
+    std::vector<LightCell>& cells =
+        cell.g > prefilter_.bright_radiance_ * area.area ? scratch_.bright : scratch_.dim;
+    cells.push_back(cell);
+    if (!own)
+        cells.push_back(area);
+}
 
 void Prefilter::Walk::visit(int depth, int column, int row)
 {
@@ -108,10 +122,10 @@ void Prefilter::Walk::visit(int depth, int column, int row)
     const float reach = cap_.radius + bounds.reach;
     if (beyond(square, horizon + reach))
         return;
-    const float far = cell.g > prefilter_.bright_ ? bounds.far_bright : bounds.far;
+    const float far = cell.g > prefilter_.much_light_ ? bounds.far_bright : bounds.far;
     const bool at_horizon = !bounds.fine_at_horizon && beyond(square, horizon - reach);
     if (depth == 0 || (!at_horizon && beyond(square, far < 0.0f ? -1.0f : far + cap_.radius))) {
-        cells_.push_back(cell);
+        take(cell, depth, column, row);
         return;
     }
     // Fine enough for a part of the cap, perhaps: each tile looks for itself.
@@ -136,7 +150,8 @@ Prefilter::Prefilter(const LightTree& tree, const PrefilterLobe& lobe, double fi
     for (int row = 0; row < top.height; ++row)
         for (int column = 0; column < top.width; ++column)
             light += static_cast<double>(tree.cell(tree.levels().size() - 1, column, row).g);
-    bright_ = static_cast<float>(bright_share * light);
+    much_light_ = static_cast<float>(much_light * light);
+    bright_radiance_ = static_cast<float>(bright_times * light / (4.0 * std::numbers::pi));
     const double core2 = core * core * lobe.alpha * lobe.alpha, at_horizon = horizon_extent / lobe.alpha;
     for (const LightCellLevel& level : tree.levels()) {
         std::vector<Bounds>& rows = bounds_.emplace_back();
@@ -147,15 +162,16 @@ Prefilter::Prefilter(const LightTree& tree, const PrefilterLobe& lobe, double fi
                 return static_cast<float>(distance2 > 0.0 ? std::sqrt(distance2) + 0.7 * extent : -1.0);
             };
             rows.push_back(
-                {far(1.0), far(bright_times), static_cast<float>(1.42 * extent), extent <= at_horizon});
+                {far(1.0), far(much_light_times), static_cast<float>(1.42 * extent), extent <= at_horizon});
         }
     }
 }
 
 void Prefilter::fill(PrefilterPatch& patch, Scratch& scratch) const
 {
-    for (float* column : {patch.r, patch.g, patch.b})
-        std::fill_n(column, PrefilterPatch::tile * patch.tiles, 0.0f);
+    for (PrefilterPatch::Sums* sums : {&patch.dim, &patch.bright})
+        for (float* column : {sums->r, sums->g, sums->b, sums->weight})
+            std::fill_n(column, PrefilterPatch::tile * patch.tiles, 0.0f);
     std::vector<Scratch::Place>& all = scratch.left[0];
     all.clear();
     const int top = static_cast<int>(tree_.levels().size()) - 1;
@@ -163,6 +179,7 @@ void Prefilter::fill(PrefilterPatch& patch, Scratch& scratch) const
         for (int column = 0; column < tree_.levels().back().width; ++column)
             all.push_back({top, column, row});
     fill(patch, {0, patch.tiles, 0}, scratch);
+    normalise(patch);
 }
 
 // What is fine enough for all of a part is added to all of it at once; the rest is looked at by its quarters.
@@ -173,16 +190,34 @@ void Prefilter::fill(PrefilterPatch& patch, const Part& part, Scratch& scratch) 
     const Cap cap(patch, tile * part.first, tile * part.tiles);
     std::vector<Scratch::Place>& left = scratch.left[part.depth + 1];
     left.clear();
-    scratch.cells.clear();
-    Walk walk(*this, cap, scratch.cells, whole ? nullptr : &left);
+    scratch.dim.clear();
+    scratch.bright.clear();
+    Walk walk(*this, cap, scratch, whole ? nullptr : &left);
     for (const Scratch::Place& place : scratch.left[part.depth])
         walk.visit(place.depth, place.column, place.row);
-    add_cells(scratch.cells, lobe_, {patch, tile * part.first, tile * part.tiles});
+    add_cells(scratch.dim, lobe_, {patch, patch.dim, tile * part.first, tile * part.tiles});
+    add_cells(scratch.bright, lobe_, {patch, patch.bright, tile * part.first, tile * part.tiles});
     if (whole || left.empty())
         return;
     const std::size_t quarter = std::max(part.tiles / 4, std::size_t{1});
     for (std::size_t first = part.first; first < part.first + part.tiles; first += quarter)
         fill(patch, {first, std::min(quarter, part.first + part.tiles - first), part.depth + 1}, scratch);
+}
+
+// All weights add up to the lobe's integral. Where they do not, the dim cells are to blame, which are coarse: their
+// light is brought to what they have left. So even light stays even, and a sun is not dimmed by the sky around it.
+void Prefilter::normalise(PrefilterPatch& patch) const
+{
+    const float integral = static_cast<float>(lobe_.integral()), over = 1.0f / integral;
+    PrefilterPatch::Sums &dim = patch.dim, &bright = patch.bright;
+    for (std::size_t i = 0; i < PrefilterPatch::tile * patch.tiles; ++i) {
+        const float least = 0.05f * integral;
+        const float left = (integral - bright.weight[i]) / std::max(dim.weight[i], least);
+        const float factor = dim.weight[i] < least ? 1.0f : std::clamp(left, 0.9f, 1.1f);
+        dim.r[i] = over * (bright.r[i] + factor * dim.r[i]);
+        dim.g[i] = over * (bright.g[i] + factor * dim.g[i]);
+        dim.b[i] = over * (bright.b[i] + factor * dim.b[i]);
+    }
 }
 
 } // namespace lambent::environment

@@ -28,8 +28,15 @@ PrefilterLobe phong_lobe(double exponent);
 /// are near, too, and so are four such fours.
 struct PrefilterPatch {
     static constexpr std::size_t tile = 16, most = 64 * tile;
+
+    /// Of some cells, by texel.
+    struct Sums {
+        alignas(64) float r[most], g[most], b[most]; ///< light times weight
+        alignas(64) float weight[most];              ///< solid angle times weight
+    };
+
     alignas(64) float x[most], y[most], z[most]; ///< unit length; a tile that is not full repeats a direction
-    alignas(64) float r[most], g[most], b[most];
+    Sums dim, bright;                            ///< after fill(), light is in `dim`
     std::size_t tiles = 0;
 };
 
@@ -47,11 +54,11 @@ public:
         struct Place {
             int depth, column, row;
         };
-        std::vector<Place> left[6]; // by depth of the part of the patch
-        std::vector<LightCell> cells;
+        std::vector<Place> left[6];         // by depth of the part of the patch
+        std::vector<LightCell> dim, bright; // cells
     };
 
-    /// Fills a patch's r, g and b.
+    /// Fills a patch's `dim`.
     void fill(PrefilterPatch& patch, Scratch& scratch) const;
 
 private:
@@ -68,17 +75,20 @@ private:
     class Walk;
 
     void fill(PrefilterPatch& patch, const Part& part, Scratch& scratch) const;
+    void normalise(PrefilterPatch& patch) const;
 
     const LightTree& tree_;
     PrefilterLobe lobe_;
-    float bright_ = 0.0f;                     // light of a cell that asks for more
+    float much_light_ = 0.0f;                 // of a cell that asks for more
+    float bright_radiance_ = 0.0f;            // of a cell that is summed apart
     std::vector<std::vector<Bounds>> bounds_; // [depth][row]
 };
 
 /// Adds to texels of a patch, from the first on, the sum over cells of light times weight, with the weight's curvature
 /// over each cell. (The SIMD part.)
 struct PrefilterTexels {
-    PrefilterPatch& patch;
+    const PrefilterPatch& patch;
+    PrefilterPatch::Sums& sums;
     std::size_t first, count; ///< multiples of PrefilterPatch::tile
 };
 void add_cells(std::span<const LightCell> cells, const PrefilterLobe& lobe, const PrefilterTexels& texels);

@@ -55,7 +55,7 @@ struct PhongWeight {
 
 // Lanes of texels, and what arrives there.
 struct Texels {
-    Real x, y, z, r = 0.0, g = 0.0, b = 0.0;
+    Real x, y, z, r = 0.0, g = 0.0, b = 0.0, all = 0.0;
 
     HWY_INLINE Texels(const PrefilterPatch& patch, size_t at)
         : x(load(patch.x + at)), y(load(patch.y + at)), z(load(patch.z + at))
@@ -73,19 +73,20 @@ struct Texels {
         r += w * Real(cell.r);
         g += w * Real(cell.g);
         b += w * Real(cell.b);
+        all += w * Real(cell.area);
     }
 
-    HWY_INLINE void store_to(PrefilterPatch& patch, size_t at, Real over) const
+    HWY_INLINE void store_to(PrefilterPatch::Sums& sums, size_t at) const
     {
-        store(load(patch.r + at) + over * r, patch.r + at);
-        store(load(patch.g + at) + over * g, patch.g + at);
-        store(load(patch.b + at) + over * b, patch.b + at);
+        store(load(sums.r + at) + r, sums.r + at);
+        store(load(sums.g + at) + g, sums.g + at);
+        store(load(sums.b + at) + b, sums.b + at);
+        store(load(sums.weight + at) + all, sums.weight + at);
     }
 };
 
 template <class Shape>
-HWY_INLINE void add(std::span<const LightCell> cells, const Shape& shape, float over,
-                    const PrefilterTexels& texels)
+HWY_INLINE void add(std::span<const LightCell> cells, const Shape& shape, const PrefilterTexels& texels)
 {
     size_t at = texels.first;
     const size_t end = texels.first + texels.count;
@@ -96,14 +97,14 @@ HWY_INLINE void add(std::span<const LightCell> cells, const Shape& shape, float 
             first.add(cell, shape);
             second.add(cell, shape);
         }
-        first.store_to(texels.patch, at, over);
-        second.store_to(texels.patch, at + lane_count, over);
+        first.store_to(texels.sums, at);
+        second.store_to(texels.sums, at + lane_count);
     }
     for (; at < end; at += lane_count) {
         Texels only(texels.patch, at);
         for (const LightCell& cell : cells)
             only.add(cell, shape);
-        only.store_to(texels.patch, at, over);
+        only.store_to(texels.sums, at);
     }
 }
 
@@ -146,11 +147,10 @@ void sum_row(const TexelRow& row, TexelSum& sum)
 HWY_FLATTEN void add_cells(std::span<const LightCell> cells, const PrefilterLobe& lobe,
                            const PrefilterTexels& texels)
 {
-    const float over = static_cast<float>(1.0 / lobe.integral());
     if (lobe.phong)
-        add(cells, PhongWeight(lobe), over, texels);
+        add(cells, PhongWeight(lobe), texels);
     else
-        add(cells, GgxWeight(lobe), over, texels);
+        add(cells, GgxWeight(lobe), texels);
 }
 
 HWY_FLATTEN void add_texel_row(const TexelRow& row, TexelSum& sum)

@@ -1,5 +1,6 @@
 // The split-sum table against quadrature of the BRDF over directions, which shares no sampling with it.
 #include "environment/albedo_table.h"
+#include "environment/bake.h"
 
 #include <gtest/gtest.h>
 
@@ -48,6 +49,28 @@ Pair quadrature(double cos_v, double alpha)
         }
     }
     return {all - grazing, grazing};
+}
+
+TEST(AlbedoTable, TheOneForOthersAgreesToo)
+{
+    constexpr int size = 128;
+    const image::RadianceImage table = bake_split_sum_table(size);
+    double square[2] = {}, mean[2] = {};
+    int count = 0;
+    for (int y = 3; y < size; y += 10)
+        for (int x = 0; x < size; x += 10, ++count) {
+            const double roughness = (y + 0.5) / size;
+            const Pair expected = quadrature((x + 0.5) / size, roughness * roughness);
+            const float* found = table.pixel(x, y);
+            square[0] += std::pow(static_cast<double>(found[0]) - expected.x, 2);
+            square[1] += std::pow(static_cast<double>(found[1]) - expected.y, 2);
+            mean[0] += expected.x;
+            mean[1] += expected.y;
+            // Of a white metal, for the energy that is scattered more than once.
+            EXPECT_FLOAT_EQ(found[2], found[0] + found[1]);
+        }
+    for (int k = 0; k < 2; ++k)
+        EXPECT_LT(std::sqrt(square[k] / count), 0.0005 * mean[k] / count) << k;
 }
 
 TEST(AlbedoTable, AgreesWithQuadratureOverDirections)
