@@ -44,6 +44,13 @@ std::string render_refusal(std::vector<const char*> words)
     return refusal(std::move(words));
 }
 
+TEST(Arguments, SplitSumIsFewSamplesWhateverTheirNumber)
+{
+    EXPECT_EQ(render({"--ibl", "split-sum"}).settings.samples, draw::split_sum_samples);
+    EXPECT_EQ(render({"--samples", "100", "--ibl", "split-sum"}).settings.samples, draw::split_sum_samples);
+    EXPECT_EQ(render({"--samples", "100", "--ibl", "sampled"}).settings.samples, 100);
+}
+
 TEST(Arguments, DefaultsAreTheContracts)
 {
     const RenderArguments a = render({});

@@ -1,5 +1,6 @@
 #include "apps/cli/arguments.h"
 
+#include "apps/cli/bake_grammar.h"
 #include "apps/cli/compare_grammar.h"
 #include "apps/cli/grammar.h"
 #include "apps/cli/values.h"
@@ -54,7 +55,8 @@ void add_light(CLI::App& app, RenderArguments& arguments, Words& words)
         ->allow_extra_args(false);
     option(app, "--ambient-brightness", words.ambient, "B",
            "Factor on diffuse environment light (1; the report's is 2)");
-    option(app, "--ibl", words.ibl, "METHOD", "How specular environment light is found: sampled");
+    option(app, "--ibl", words.ibl, "METHOD",
+           "Specular environment light: sampled, or split-sum, 8 samples (sampled)");
     option(app, "--samples", words.samples, "N", "Samples of the specular lobe (40)");
     app.add_flag("--no-cache", words.no_cache, "Neither read nor write the environment cache");
 }
@@ -112,10 +114,10 @@ void apply_light(const Words& words, RenderArguments& arguments)
         settings.lights.push_back(parse_light(light, "--light"));
     if (!words.ambient.empty())
         settings.ambient_brightness = number_in(words.ambient, "--ambient-brightness", 0.0, 1.0e6);
-    if (!words.ibl.empty())
-        choose<bool>(words.ibl, "--ibl", {{"sampled", true}});
     if (!words.samples.empty())
         settings.samples = whole_in(words.samples, "--samples", 1, 65536);
+    if (!words.ibl.empty() && choose<bool>(words.ibl, "--ibl", {{"sampled", false}, {"split-sum", true}}))
+        settings.samples = draw::split_sum_samples;
 }
 
 void apply_material(const Words& words, RenderArguments& arguments)
@@ -239,6 +241,7 @@ struct Grammar {
     ReferenceArguments reference;
     EnvArguments env;
     InfoArguments info;
+    BakeGrammar bake;
     CompareGrammar compare;
     CLI::App* render_command = nullptr;
     CLI::App* reference_command = nullptr;
@@ -252,6 +255,7 @@ struct Grammar {
         app.footer("SCENE: a .gltf or .glb file, or sphere, teapot, plane, report, grid, furnace.\n"
                    "'lambent COMMAND --help' lists a command's options.");
         add_render();
+        bake.add(app);
         add_reference();
         compare.add(app);
         add_env();
@@ -333,6 +337,8 @@ struct Grammar {
             return finished(words, render);
         if (reference_command->parsed())
             return finished(words, reference);
+        if (bake.parsed())
+            return bake.result();
         if (compare.parsed())
             return compare.result();
         if (env_command->parsed())
