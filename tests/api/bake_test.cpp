@@ -18,7 +18,6 @@
 namespace lambent {
 namespace {
 
-using test::operator+;
 using test::TemporaryFolder;
 using Vec = std::array<double, 3>;
 constexpr double pi = std::numbers::pi;
@@ -130,8 +129,8 @@ TEST(Bake, APanoramaInMemoryIsThatInAFile)
 {
     const TemporaryFolder folder;
     const test::Pixels pixels = test::mixed_pixels(32 * 16, 5);
-    const auto path =
-        folder.write("a.hdr", test::radiance_header("-Y 16 +X 32") + test::flat_scanline(pixels));
+    const test::Bytes header = test::radiance_header("-Y 16 +X 32");
+    const auto path = folder.write("a.hdr", test::operator+(header, test::flat_scanline(pixels)));
     std::vector<float> rgb;
     for (const test::Pixel& pixel : pixels)
         for (const float value : test::radiance_of(pixel))
@@ -215,6 +214,13 @@ TEST(Bake, FilesThatCannotBeReadOrWrittenAreNamed)
     const CubeMap cube{1, 1, std::vector<float>(18)};
     expect_error(BakeError::Kind::cannot_write, "a.ktx2", [&] { write_ktx2(cube, folder / "no/a.ktx2"); });
     expect_error(BakeError::Kind::cannot_write, "a.dds", [&] { write_dds(cube, folder / "no/a.dds"); });
+}
+
+TEST(Bake, WhatProgressThrowsComesOut)
+{
+    struct Enough {};
+    const Panorama furnace = Panorama::builtin("furnace", {.width = 64});
+    EXPECT_THROW(bake_specular(furnace, {.size = 4}, [](double) { throw Enough(); }), Enough);
 }
 
 TEST(Bake, ThreadsMayShareAPanorama)
