@@ -30,9 +30,10 @@ TEST(Package, TheExampleBuildsAndBakesAgainstTheInstalledLibrary)
     const Folder folder;
     const std::string prefix = folder.path("prefix"), build = folder.path("build");
     ASSERT_NO_FATAL_FAILURE(run_cmake({"--install", LAMBENT_BUILD, "--prefix", prefix}));
-    ASSERT_NO_FATAL_FAILURE(run_cmake(
-        {"-S", root + "/examples/bake", "-B", build, "-G", LAMBENT_GENERATOR, "-DCMAKE_PREFIX_PATH=" + prefix,
-         "-DCMAKE_CXX_COMPILER=" LAMBENT_COMPILER, "-DCMAKE_CXX_FLAGS=" LAMBENT_FLAGS}));
+    ASSERT_NO_FATAL_FAILURE(
+        run_cmake({"-S", root + "/examples/bake", "-B", build, "-G", LAMBENT_GENERATOR,
+                   "-DCMAKE_PREFIX_PATH=" + prefix, std::string("-DCMAKE_CXX_COMPILER=") + LAMBENT_COMPILER,
+                   std::string("-DCMAKE_CXX_FLAGS=") + LAMBENT_FLAGS}));
     ASSERT_NO_FATAL_FAILURE(run_cmake({"--build", build}));
 
     const std::string output = folder.path("furnace.ktx2");
