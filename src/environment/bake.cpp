@@ -17,7 +17,7 @@ namespace lambent::environment {
 namespace {
 
 constexpr int most_rounds = 3;
-constexpr double usual_fineness = 1.0; // for an error of 0.01
+constexpr double usual_fineness = 0.8; // for an error of 0.01
 constexpr double irradiance_fineness = 5.0, irradiance_extent = 0.02;
 
 double roughness_of(const BakeOptions& options, int level, int levels)
@@ -45,6 +45,18 @@ void fill_sharp(const Panorama& panorama, image::CubeMap& cube)
         }
     });
 }
+
+// A panorama that is large enough, without a copy if it was before.
+struct Enlarged {
+    Panorama copy;
+    const Panorama& panorama;
+
+    Enlarged(const Panorama& given, int width, int height)
+        : copy(given.width < width || given.height < height ? at_least(given, width, height) : Panorama{}),
+          panorama(copy.width > 0 ? copy : given)
+    {
+    }
+};
 
 void check(const BakeOptions& options)
 {
@@ -93,7 +105,8 @@ BakedSpecular bake_specular(const Panorama& given, const BakeOptions& options,
                             const std::function<void(double)>& report)
 {
     check(options);
-    const Panorama panorama = at_least(given, 1024, 512);
+    const Enlarged enlarged(given, 1024, 512);
+    const Panorama& panorama = enlarged.panorama;
     const int levels = image::full_levels(options.size);
     BakedSpecular baked{image::make_cube_map(options.size, levels), {}};
     for (int level = 0; level < levels; ++level)
@@ -107,7 +120,8 @@ image::CubeMap bake_irradiance(const Panorama& given, int size)
 {
     if (size < 1 || size > 4096)
         throw Error(Failure::usage, text("irradiance faces of ", size, " texels: 1 to 4096 are possible"));
-    const Panorama panorama = at_least(given, 64, 32);
+    const Enlarged enlarged(given, 64, 32);
+    const Panorama& panorama = enlarged.panorama;
     image::CubeMap cube = image::make_cube_map(size, 1);
     const LightTree tree(panorama, irradiance_extent);
     prefilter_faces({{cube, 0, Prefilter(tree, phong_lobe(1.0), irradiance_fineness)}});
