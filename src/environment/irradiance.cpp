@@ -117,7 +117,8 @@ IrradianceMap make_irradiance_map(const Panorama& panorama, int face_size)
 
 namespace {
 
-constexpr std::size_t orders = 5; // 1, cos, sin, cos 2, sin 2 of the azimuth: all that harmonics of bands 0 to 2 have
+constexpr std::size_t orders =
+    5; // 1, cos, sin, cos 2, sin 2 of the azimuth: all that harmonics of bands 0 to 2 have
 
 using Orders = std::array<double, orders>;
 

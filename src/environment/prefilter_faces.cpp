@@ -37,7 +37,8 @@ std::size_t for_each_texel(const Work& work, int size, const Visit& visit)
     constexpr std::size_t all = (patch_side / tile_side) * (patch_side / tile_side);
     std::size_t tiles = 0;
     for (std::size_t i = 0; i < all; ++i) {
-        const int left = work.x + tile_side * every_second(i), top = work.y + tile_side * every_second(i >> 1);
+        const int left = work.x + tile_side * every_second(i),
+                  top = work.y + tile_side * every_second(i >> 1);
         if (left >= size || top >= size)
             continue;
         std::size_t at = PrefilterPatch::tile * tiles++;

@@ -19,6 +19,7 @@ struct PrefilteredFaces {
 };
 
 /// Fills all of them, on all processors. `report` is called with the share done, by one thread at a time.
-void prefilter_faces(const std::vector<PrefilteredFaces>& faces, const std::function<void(double)>& report = {});
+void prefilter_faces(const std::vector<PrefilteredFaces>& faces,
+                     const std::function<void(double)>& report = {});
 
 } // namespace lambent::environment

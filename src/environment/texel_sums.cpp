@@ -117,7 +117,8 @@ private:
         const Angles at = angles_of(sum);
         const double half = near_columns(row, sum, at);
         const double middle = (at.phi / (2.0 * std::numbers::pi) + 0.5) * columns_;
-        const int first = static_cast<int>(std::floor(middle - half)), last = static_cast<int>(std::ceil(middle + half));
+        const int first = static_cast<int>(std::floor(middle - half)),
+                  last = static_cast<int>(std::ceil(middle + half));
         if (half > 0.0 && last - first >= columns_)
             add_part(work, 0, columns_, true, sum);
         else if (!(half > 0.0))

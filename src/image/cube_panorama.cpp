@@ -71,10 +71,11 @@ RadianceImage equirectangular_image(const CubeMap& map, int level, int height)
         for (int x = 0; x < width; ++x) {
             const double phi = ((x + 0.5) / width - 0.5) * 2.0 * std::numbers::pi;
             const double theta = (y + 0.5) / height * std::numbers::pi;
-            const Place at = place_of(
-                {std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi)},
-                map.face_size(level));
-            const int left = static_cast<int>(std::floor(at.x - 0.5)), top = static_cast<int>(std::floor(at.y - 0.5));
+            const Place at =
+                place_of({std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi)},
+                         map.face_size(level));
+            const int left = static_cast<int>(std::floor(at.x - 0.5)),
+                      top = static_cast<int>(std::floor(at.y - 0.5));
             const auto u = static_cast<float>(at.x - 0.5 - left), v = static_cast<float>(at.y - 0.5 - top);
             for (int j = 0; j < 2; ++j)
                 for (int i = 0; i < 2; ++i) {

@@ -183,6 +183,7 @@ void add_output(CLI::App& app, std::string& output, const std::string& help)
 RenderArguments finished(const Words& words, RenderArguments arguments)
 {
     arguments.common = common_options(words);
+    arguments.cache = !words.no_cache;
     apply_view(words, arguments);
     apply_light(words, arguments);
     apply_material(words, arguments);

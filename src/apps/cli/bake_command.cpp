@@ -50,9 +50,12 @@ nlohmann::ordered_json describe(const BakeArguments& arguments, const Baked& bak
                           {"error", level.error}});
         error = std::max(error, level.error);
     }
-    return {{"command", "bake"}, {"environment", arguments.environment},
-            {"output", arguments.output}, {"size", arguments.options.size},
-            {"error", error}, {"levels", levels}};
+    return {{"command", "bake"},
+            {"environment", arguments.environment},
+            {"output", arguments.output},
+            {"size", arguments.options.size},
+            {"error", error},
+            {"levels", levels}};
 }
 
 void print_levels(const environment::BakedSpecular& specular)
@@ -60,8 +63,8 @@ void print_levels(const environment::BakedSpecular& specular)
     for (std::size_t i = 0; i < specular.levels.size(); ++i) {
         const environment::BakedLevel& level = specular.levels[i];
         const int size = specular.cube.face_size(static_cast<int>(i));
-        std::printf("level %zu: %dx%d, roughness %.3f, error %.3f%%\n", i, size, size, level.perceptual_roughness,
-                    100.0 * level.error);
+        std::printf("level %zu: %dx%d, roughness %.3f, error %.3f%%\n", i, size, size,
+                    level.perceptual_roughness, 100.0 * level.error);
     }
 }
 
@@ -71,7 +74,8 @@ Warnings warnings_of(const BakeArguments& arguments, const environment::BakedSpe
     Warnings warnings;
     for (std::size_t i = 0; i < specular.levels.size(); ++i)
         if (const double error = specular.levels[i].error; error > arguments.options.error)
-            warnings.push_back(text("level ", i, ": the error is ", 100.0 * error, "%, above what was asked for"));
+            warnings.push_back(
+                text("level ", i, ": the error is ", 100.0 * error, "%, above what was asked for"));
     return warnings;
 }
 

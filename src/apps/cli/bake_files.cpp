@@ -62,9 +62,13 @@ const char* extension(BakeFormat format)
 // Writes files and remembers their names.
 class Writer {
 public:
-    Writer(const BakeArguments& arguments, fs::path folder) : arguments_(arguments), folder_(std::move(folder)) {}
+    Writer(const BakeArguments& arguments, fs::path folder)
+        : arguments_(arguments), folder_(std::move(folder))
+    {
+    }
 
-    void cube(const image::CubeMap& map, const std::string& name, const std::map<std::string, std::string>& metadata)
+    void cube(const image::CubeMap& map, const std::string& name,
+              const std::map<std::string, std::string>& metadata)
     {
         const image::CubeMap turned = arguments_.mirrored ? mirrored(map) : map;
         if (arguments_.format == BakeFormat::ktx2)
@@ -85,7 +89,8 @@ public:
     void json(const nlohmann::ordered_json& object, const std::string& name)
     {
         const std::string content = object.dump(2) + "\n";
-        write_file(path(name), std::span(reinterpret_cast<const std::uint8_t*>(content.data()), content.size()));
+        write_file(path(name),
+                   std::span(reinterpret_cast<const std::uint8_t*>(content.data()), content.size()));
     }
 
     std::vector<std::string> names;
@@ -99,7 +104,8 @@ private:
             picture(equirectangular_image(map, level, 2 * map.face_size(level)), name);
         else
             for (int face = 0; face < 6; ++face)
-                picture(face_image(map, level, face), text(name, "_", image::face_names[static_cast<std::size_t>(face)]));
+                picture(face_image(map, level, face),
+                        text(name, "_", image::face_names[static_cast<std::size_t>(face)]));
     }
 
     fs::path path(const std::string& name)
@@ -119,7 +125,8 @@ std::map<std::string, std::string> specular_metadata(const Baked& baked)
             {"lambent.sh", list(baked.coefficients)}};
 }
 
-nlohmann::ordered_json describe(const Baked& baked, const BakeArguments& arguments, const std::vector<std::string>& names)
+nlohmann::ordered_json describe(const Baked& baked, const BakeArguments& arguments,
+                                const std::vector<std::string>& names)
 {
     nlohmann::ordered_json levels = nlohmann::ordered_json::array();
     for (std::size_t i = 0; i < baked.specular.levels.size(); ++i) {
@@ -148,7 +155,8 @@ void check_bake_output(const BakeArguments& arguments)
     std::error_code error;
     fs::create_directories(arguments.output, error);
     if (error)
-        throw Error(Failure::cannot_write, text(arguments.output, ": cannot make the folder: ", error.message()));
+        throw Error(Failure::cannot_write,
+                    text(arguments.output, ": cannot make the folder: ", error.message()));
     check_can_write(fs::path(arguments.output) / "bake.json");
 }
 

@@ -22,8 +22,10 @@ std::optional<BakeFormat> file_format(const std::string& output)
         return BakeFormat::dds;
     for (const char* picture : {".exr", ".hdr", ".png", ".jpg", ".ktx"})
         if (extension == picture)
-            throw Error(Failure::usage,
-                        text(output, ": one file is a .ktx2 or a .dds; -o FOLDER --format exr or hdr writes pictures"));
+            throw Error(
+                Failure::usage,
+                text(output,
+                     ": one file is a .ktx2 or a .dds; -o FOLDER --format exr or hdr writes pictures"));
     return std::nullopt;
 }
 
@@ -37,26 +39,36 @@ double error_of_samples(int samples)
 
 void BakeGrammar::add(CLI::App& app)
 {
-    command_ = app.add_subcommand("bake", "Prefilter an environment for a renderer: irradiance, specular, split sum");
+    command_ = app.add_subcommand("bake",
+                                  "Prefilter an environment for a renderer: irradiance, specular, split sum");
     CLI::App& command = *command_;
-    command.add_option("env", arguments_.environment, "A panorama (.hdr, .exr), or kitchen, studio, sky, furnace")
+    command
+        .add_option("env", arguments_.environment,
+                    "A panorama (.hdr, .exr), or kitchen, studio, sky, furnace")
         ->type_name("ENV")
         ->required();
-    command.add_option("-o,--output", arguments_.output, "A folder for everything, or FILE.ktx2 or .dds for the specular cube")
+    command
+        .add_option("-o,--output", arguments_.output,
+                    "A folder for everything, or FILE.ktx2 or .dds for the specular cube")
         ->type_name("PATH")
         ->required();
-    option(command, "--size", size_, "N", "Specular: texels along an edge of the cube, a power of two to 4096 (256)");
-    option(command, "--irradiance", irradiance_, "sh|N", "Irradiance: nine coefficients alone, or a cube of N texels too (32)");
+    option(command, "--size", size_, "N",
+           "Specular: texels along an edge of the cube, a power of two to 4096 (256)");
+    option(command, "--irradiance", irradiance_, "sh|N",
+           "Irradiance: nine coefficients alone, or a cube of N texels too (32)");
     option(command, "--specular", specular_, "LOBE", "ggx, or phong, as the report (ggx)");
-    option(command, "--error", error_, "REL", "Relative error to stay below in each level, 0.0005 to 0.2 (0.01)");
+    option(command, "--error", error_, "REL",
+           "Relative error to stay below in each level, 0.0005 to 0.2 (0.01)");
     option(command, "--samples", samples_, "N", "Instead: the error of N samples, 0.32 / sqrt(N)");
-    option(command, "--roughness", roughness_, "MAP", "Roughness of the levels: linear, or cmgen, as Filament's (linear)");
+    option(command, "--roughness", roughness_, "MAP",
+           "Roughness of the levels: linear, or cmgen, as Filament's (linear)");
     option(command, "--lut", table_, "N", "Split-sum table: texels along an edge, 2 to 1024 (128)");
     option(command, "--format", format_, "FORMAT", "In a folder: ktx2, dds, exr or hdr (ktx2)");
     option(command, "--texels", texels_, "TYPE", "ktx2, dds: half, float or rgb9e5 (half)");
     option(command, "--layout", layout_, "LAYOUT", "exr, hdr: faces, cross or equirect (faces)");
     command.add_flag("--zstd", arguments_.zstd, "ktx2: compress the levels with Zstandard");
-    command.add_flag("--mirrored", arguments_.mirrored, "Turn x round, for three.js and others whose cubes are left-handed");
+    command.add_flag("--mirrored", arguments_.mirrored,
+                     "Turn x round, for three.js and others whose cubes are left-handed");
     command.add_flag("--no-cache", no_cache_, "No effect: a bake never uses the cache");
     add_common(command, common_);
 }
@@ -70,11 +82,13 @@ void BakeGrammar::apply_work(BakeArguments& arguments) const
         throw Error(Failure::usage, text("--size: ", size_, " is not a power of two"));
     if (!specular_.empty())
         options.lobe = choose<environment::BakeLobe>(
-            specular_, "--specular", {{"ggx", environment::BakeLobe::ggx}, {"phong", environment::BakeLobe::phong}});
+            specular_, "--specular",
+            {{"ggx", environment::BakeLobe::ggx}, {"phong", environment::BakeLobe::phong}});
     if (!roughness_.empty())
-        options.mapping = choose<environment::RoughnessMapping>(
-            roughness_, "--roughness",
-            {{"linear", environment::RoughnessMapping::linear}, {"cmgen", environment::RoughnessMapping::cmgen}});
+        options.mapping =
+            choose<environment::RoughnessMapping>(roughness_, "--roughness",
+                                                  {{"linear", environment::RoughnessMapping::linear},
+                                                   {"cmgen", environment::RoughnessMapping::cmgen}});
     if (!error_.empty() && !samples_.empty())
         throw Error(Failure::usage, "--error and --samples exclude each other");
     if (!error_.empty())
