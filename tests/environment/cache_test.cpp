@@ -159,8 +159,9 @@ TEST(Cache, ManyProcessesAtOnce)
     for (std::size_t i = 0; i < children.size(); ++i) {
         int status = 0;
         ::waitpid(children[i], &status, 0);
-        if (i >= 2)
+        if (i >= 2) {
             EXPECT_EQ(WEXITSTATUS(status), 0);
+        }
     }
     ASSERT_TRUE(cache.find("a"));
     expect_same(*cache.find("a"), made);
