@@ -1,5 +1,6 @@
 #include "apps/cli/arguments.h"
 
+#include "apps/cli/bake_grammar.h"
 #include "apps/cli/compare_grammar.h"
 #include "apps/cli/grammar.h"
 #include "apps/cli/values.h"
@@ -239,6 +240,7 @@ struct Grammar {
     ReferenceArguments reference;
     EnvArguments env;
     InfoArguments info;
+    BakeGrammar bake;
     CompareGrammar compare;
     CLI::App* render_command = nullptr;
     CLI::App* reference_command = nullptr;
@@ -252,6 +254,7 @@ struct Grammar {
         app.footer("SCENE: a .gltf or .glb file, or sphere, teapot, plane, report, grid, furnace.\n"
                    "'lambent COMMAND --help' lists a command's options.");
         add_render();
+        bake.add(app);
         add_reference();
         compare.add(app);
         add_env();
@@ -333,6 +336,8 @@ struct Grammar {
             return finished(words, render);
         if (reference_command->parsed())
             return finished(words, reference);
+        if (bake.parsed())
+            return bake.result();
         if (compare.parsed())
             return compare.result();
         if (env_command->parsed())

@@ -3,7 +3,9 @@
 
 #include "display/display.h"
 #include "draw/settings.h"
+#include "environment/bake.h"
 #include "environment/builtin.h"
+#include "image/cube_files.h"
 #include "scene/builtin.h"
 
 #include <cstdint>
@@ -64,6 +66,29 @@ struct CompareArguments {
     std::optional<double> max_relative;
 };
 
+/// What a bake writes: a cube map for renderers, or pictures.
+enum class BakeFormat { ktx2, dds, exr, hdr };
+
+/// Pictures of a cube: its faces apart, unfolded, or unrolled.
+enum class CubeLayout { faces, cross, equirectangular };
+
+struct BakeArguments {
+    CommonOptions common;
+    std::string environment;
+    std::string output;
+    bool one_file = false; ///< a .ktx2 or .dds with the specular light, else a folder for everything
+    environment::BakeOptions options;
+    std::optional<int> irradiance_size; ///< 0: coefficients alone; unset: usual_irradiance_size
+    std::optional<int> table_size;      ///< unset: usual_table_size
+    double rotation = 0.0;              ///< of the environment, degrees
+    BakeFormat format = BakeFormat::ktx2;
+    CubeLayout layout = CubeLayout::faces;
+    image::TexelFormat texels = image::TexelFormat::half4;
+    bool zstd = false, mirrored = false;
+
+    static constexpr int usual_irradiance_size = 32, usual_table_size = 128;
+};
+
 struct EnvArguments {
     CommonOptions common;
     std::string name;
@@ -82,8 +107,8 @@ struct PrintText {
     std::string text;
 };
 
-using Arguments = std::variant<PrintText, RenderArguments, ReferenceArguments, CompareArguments, EnvArguments,
-                               InfoArguments>;
+using Arguments = std::variant<PrintText, RenderArguments, BakeArguments, ReferenceArguments,
+                               CompareArguments, EnvArguments, InfoArguments>;
 
 /// Throws Error(usage) with one line for whatever is wrong.
 Arguments parse_arguments(int count, const char* const* words);

@@ -6,6 +6,7 @@
 namespace lambent::cli {
 
 void run(const RenderArguments& arguments);
+void run(const BakeArguments& arguments);
 void run(const ReferenceArguments& arguments);
 void run(const CompareArguments& arguments);
 void run(const EnvArguments& arguments);

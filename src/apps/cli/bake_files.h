@@ -1,0 +1,37 @@
+// A baked environment as files.
+#pragma once
+
+#include "apps/cli/arguments.h"
+#include "environment/bake.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lambent::cli {
+
+/// What a folder gets. One file gets the specular light and the coefficients.
+struct Baked {
+    environment::BakedSpecular specular;
+    std::vector<double> coefficients; ///< 27
+    std::optional<image::CubeMap> irradiance;
+    std::optional<image::RadianceImage> table;
+};
+
+/// Size, roughness and error of each level.
+nlohmann::ordered_json describe_levels(const environment::BakedSpecular& specular);
+
+/// Throws Error(cannot_write) for what is plain before the work. Makes nothing yet, so that nothing is left of a bake
+/// that fails.
+void check_bake_output(const BakeArguments& arguments);
+
+/// Writes everything and returns the files' names. A folder gets its files when all of them are complete; bake.json
+/// comes last. `before_file` is called before each; what it throws, as any other failure, leaves nothing behind.
+/// Throws Error(cannot_write).
+std::vector<std::string> write_baked(const Baked& baked, const BakeArguments& arguments,
+                                     const std::function<void()>& before_file);
+
+} // namespace lambent::cli
