@@ -212,7 +212,10 @@ void write_all(const Baked& baked, const BakeArguments& arguments, FolderWriter&
     Json json = describe_input(arguments);
     const auto specular = writer.cube(baked.specular.cube, "specular", metadata_of(baked, arguments, true));
     json["specular"] = describe_specular(baked, arguments, specular);
-    json["irradiance"]["coefficients"] = writer.words(coefficient_lines(baked.coefficients), "sh.txt");
+    json["irradiance"]["coefficients"] = {};
+    for (const double c : baked.coefficients)
+        json["irradiance"]["coefficients"].push_back(std::stod(exact(c)));
+    json["irradiance"]["coefficients_file"] = writer.words(coefficient_lines(baked.coefficients), "sh.txt");
     if (baked.irradiance) {
         json["irradiance"]["size"] = baked.irradiance->size;
         json["irradiance"]["files"] =

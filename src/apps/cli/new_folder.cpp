@@ -46,9 +46,10 @@ std::vector<fs::path> missing(const fs::path& folder)
 void check_can_make_folder(const fs::path& folder)
 {
     const std::vector<fs::path> paths = missing(folder);
+    const fs::path around = paths.empty() ? folder : paths.front().parent_path();
     std::error_code error;
-    if (paths.empty() && !fs::is_directory(folder, error))
-        fail(folder, "cannot write into it", error ? error.message() : "not a folder");
+    if (!fs::is_directory(around, error))
+        fail(around, "cannot write into it", error ? error.message() : "not a folder");
     // A folder can be made where a file can be written.
     check_can_write(paths.empty() ? folder / "bake.json" : paths.front());
 }
