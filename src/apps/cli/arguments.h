@@ -77,15 +77,17 @@ struct BakeArguments {
     CommonOptions common;
     std::string environment;
     std::string output;
-    bool one_file =
-        false; ///< the output is a .ktx2 or .dds for the specular light, else a folder for everything
+    bool one_file = false; ///< a .ktx2 or .dds with the specular light, else a folder for everything
     environment::BakeOptions options;
-    int irradiance_size = 32; ///< 0: coefficients alone
-    int table_size = 128;
+    std::optional<int> irradiance_size; ///< 0: coefficients alone; unset: usual_irradiance_size
+    std::optional<int> table_size;      ///< unset: usual_table_size
+    double rotation = 0.0;              ///< of the environment, degrees
     BakeFormat format = BakeFormat::ktx2;
     CubeLayout layout = CubeLayout::faces;
     image::TexelFormat texels = image::TexelFormat::half4;
     bool zstd = false, mirrored = false;
+
+    static constexpr int usual_irradiance_size = 32, usual_table_size = 128;
 };
 
 struct EnvArguments {

@@ -1,6 +1,7 @@
 #include "apps/cli/bake_files.h"
 #include "apps/cli/commands.h"
 #include "apps/cli/console.h"
+#include "apps/cli/interrupt.h"
 #include "apps/cli/stats.h"
 #include "apps/cli/stopwatch.h"
 #include "apps/cli/threads.h"
@@ -11,72 +12,133 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace lambent::cli {
 namespace {
 
-environment::Panorama load_panorama(const std::string& name, Warnings& warnings)
+// Thrown where the user is found to have asked for an end.
+struct Stopped {};
+
+// Whole columns: nothing is blurred, and the panorama is wider than anyone's protractor.
+void turn(environment::Panorama& panorama, double degrees)
 {
-    if (environment::is_builtin(name))
-        return environment::make_panorama(environment::make_builtin(name));
-    return environment::load_panorama(name, warnings);
+    const int width = panorama.width;
+    const int columns = static_cast<int>(std::lround(degrees / 360.0 * width));
+    const int shift = (columns % width + width) % width;
+    for (auto row = panorama.texels.begin(); row != panorama.texels.end(); row += width)
+        std::rotate(row, row + shift, row + width);
 }
 
-Baked bake(const environment::Panorama& panorama, const BakeArguments& arguments, Console& console)
+environment::Panorama load(const BakeArguments& arguments, Warnings& warnings)
 {
-    Baked baked;
-    baked.specular = environment::bake_specular(panorama, arguments.options, [&](double done) {
-        console.progress(static_cast<float>(done), "specular light");
-    });
-    console.end_progress();
-    baked.coefficients = environment::irradiance_coefficients(environment::project_to_harmonics(panorama));
+    const std::string& name = arguments.environment;
+    environment::Panorama panorama = environment::is_builtin(name)
+                                         ? environment::make_panorama(environment::make_builtin(name))
+                                         : environment::load_panorama(name, warnings);
+    turn(panorama, arguments.rotation);
+    return panorama;
+}
+
+// Without what the sum's rounding leaves where there is nothing.
+std::vector<double> coefficients_of(const environment::Panorama& panorama)
+{
+    std::vector<double> c = environment::irradiance_coefficients(environment::project_to_harmonics(panorama));
+    for (std::size_t i = 3; i < c.size(); ++i)
+        if (std::fabs(c[i]) < 1e-9 * c[i % 3])
+            c[i] = 0.0;
+    return c;
+}
+
+Baked bake(const environment::Panorama& panorama, const BakeArguments& arguments,
+           const std::function<void(double)>& report)
+{
+    Baked baked{
+        environment::bake_specular(panorama, arguments.options, report), coefficients_of(panorama), {}, {}};
+    report(1.0);
     if (arguments.one_file)
         return baked;
-    if (arguments.irradiance_size > 0)
-        baked.irradiance = environment::bake_irradiance(panorama, arguments.irradiance_size);
-    baked.table = environment::bake_split_sum_table(arguments.table_size);
+    const int irradiance_size = arguments.irradiance_size.value_or(BakeArguments::usual_irradiance_size);
+    if (irradiance_size > 0)
+        baked.irradiance = environment::bake_irradiance(panorama, irradiance_size);
+    baked.table =
+        environment::bake_split_sum_table(arguments.table_size.value_or(BakeArguments::usual_table_size));
     return baked;
 }
 
-nlohmann::ordered_json describe(const BakeArguments& arguments, const Baked& baked)
+Warnings warnings_of(const BakeArguments& arguments, const environment::BakedSpecular& specular)
 {
-    nlohmann::ordered_json levels = nlohmann::ordered_json::array();
+    Warnings warnings;
+    if (arguments.one_file && arguments.irradiance_size.value_or(0) > 0)
+        warnings.push_back(
+            "--irradiance: one file has the coefficients alone; -o FOLDER writes the cube too");
+    if (arguments.one_file && arguments.table_size)
+        warnings.push_back("--lut: one file has no split-sum table; -o FOLDER writes it");
+    for (std::size_t i = 0; i < specular.levels.size(); ++i)
+        if (const double error = specular.levels[i].error; error > arguments.options.error)
+            warnings.push_back(text("level ", i, ": its error is ", std::round(1e4 * error) / 100.0,
+                                    " %, above the ", 100.0 * arguments.options.error, " % aimed at"));
+    return warnings;
+}
+
+nlohmann::ordered_json describe(const BakeArguments& arguments, const Baked& baked,
+                                const std::vector<std::string>& files)
+{
+    nlohmann::ordered_json stats = {{"command", "bake"},
+                                    {"environment", arguments.environment},
+                                    {"output", arguments.output},
+                                    {"files", files},
+                                    {"size", arguments.options.size},
+                                    {"levels", describe_levels(baked.specular)}};
+    stats["irradiance"]["coefficients"] = baked.coefficients;
+    stats["irradiance"]["size"] = baked.irradiance ? nlohmann::ordered_json(baked.irradiance->size) : nullptr;
     double error = 0.0;
-    for (std::size_t i = 0; i < baked.specular.levels.size(); ++i) {
-        const environment::BakedLevel& level = baked.specular.levels[i];
-        levels.push_back({{"size", baked.specular.cube.face_size(static_cast<int>(i))},
-                          {"roughness", level.perceptual_roughness},
-                          {"error", level.error}});
-        error = std::max(error, level.error);
-    }
-    return {{"command", "bake"},
-            {"environment", arguments.environment},
-            {"output", arguments.output},
-            {"size", arguments.options.size},
-            {"error", error},
-            {"levels", levels}};
+    for (const nlohmann::ordered_json& level : stats["levels"])
+        error = std::max(error, level["error"].get<double>());
+    stats["error"] = error;
+    return stats;
 }
 
 void print_levels(const environment::BakedSpecular& specular)
 {
     for (std::size_t i = 0; i < specular.levels.size(); ++i) {
-        const environment::BakedLevel& level = specular.levels[i];
         const int size = specular.cube.face_size(static_cast<int>(i));
-        std::printf("level %zu: %dx%d, roughness %.3f, error %.3f%%\n", i, size, size,
-                    level.perceptual_roughness, 100.0 * level.error);
+        std::printf("level %zu: %dx%d, roughness %.4f, error %.3f %%\n", i, size, size,
+                    specular.levels[i].perceptual_roughness, 100.0 * specular.levels[i].error);
     }
 }
 
-// Where the error asked for was not reached, as on a panorama of one bright texel and a narrow lobe it may not be.
-Warnings warnings_of(const BakeArguments& arguments, const environment::BakedSpecular& specular)
+void bake_to_files(const BakeArguments& arguments, const Interrupt& interrupt, Console& console)
 {
+    const auto stop_if_asked = [&] {
+        if (interrupt.asked())
+            throw Stopped();
+    };
+    const ThreadLimit limit(arguments.common.threads);
+    Stopwatch watch;
     Warnings warnings;
-    for (std::size_t i = 0; i < specular.levels.size(); ++i)
-        if (const double error = specular.levels[i].error; error > arguments.options.error)
-            warnings.push_back(
-                text("level ", i, ": the error is ", 100.0 * error, "%, above what was asked for"));
-    return warnings;
+    const environment::Panorama panorama = load(arguments, warnings);
+    watch.lap("environment");
+    console.warn(warnings);
+    const Baked baked = bake(panorama, arguments, [&](double done) {
+        stop_if_asked();
+        console.progress(static_cast<float>(done));
+    });
+    console.end_progress();
+    console.warn(warnings_of(arguments, baked.specular));
+    watch.lap("bake");
+    const std::vector<std::string> files = write_baked(baked, arguments, stop_if_asked);
+    watch.lap("write");
+    for (const std::string& file : files)
+        console.remark(text("wrote ", file));
+    if (arguments.common.stats_json) {
+        nlohmann::ordered_json stats = describe(arguments, baked, files);
+        add_cost(watch, stats);
+        print(stats);
+    } else if (arguments.common.verbosity != Verbosity::quiet) {
+        print_levels(baked.specular);
+    }
 }
 
 } // namespace
@@ -84,25 +146,13 @@ Warnings warnings_of(const BakeArguments& arguments, const environment::BakedSpe
 void run(const BakeArguments& arguments)
 {
     check_bake_output(arguments);
-    const ThreadLimit limit(arguments.common.threads);
+    const Interrupt interrupt;
     Console console(arguments.common.verbosity);
-    Stopwatch watch;
-    Warnings warnings;
-    const environment::Panorama panorama = load_panorama(arguments.environment, warnings);
-    watch.lap("environment");
-    console.warn(warnings);
-    const Baked baked = bake(panorama, arguments, console);
-    console.warn(warnings_of(arguments, baked.specular));
-    watch.lap("bake");
-    for (const std::string& name : write_baked(baked, arguments))
-        console.remark(text("wrote ", name));
-    watch.lap("write");
-    if (arguments.common.stats_json) {
-        nlohmann::ordered_json stats = describe(arguments, baked);
-        add_cost(watch, stats);
-        print(stats);
-    } else if (arguments.common.verbosity != Verbosity::quiet) {
-        print_levels(baked.specular);
+    try {
+        bake_to_files(arguments, interrupt, console);
+    } catch (const Stopped&) {
+        console.end_progress();
+        interrupt.end_program();
     }
 }
 

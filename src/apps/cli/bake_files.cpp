@@ -1,5 +1,6 @@
 #include "apps/cli/bake_files.h"
 
+#include "apps/cli/new_folder.h"
 #include "apps/cli/version.h"
 #include "base/error.h"
 #include "base/file.h"
@@ -10,30 +11,29 @@
 #include <nlohmann/json.hpp>
 
 #include <charconv>
+#include <cmath>
+#include <map>
 #include <span>
-#include <system_error>
 
 namespace lambent::cli {
 namespace {
 
-namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using Metadata = std::map<std::string, std::string>;
 
-// The fewest digits that give the number back.
-template <class Number>
-std::string exact(Number number)
+// The fewest digits that give the float back.
+std::string exact(double number)
 {
     char digits[64];
-    return {digits, std::to_chars(digits, digits + sizeof digits, number).ptr};
+    const auto end = std::to_chars(digits, digits + sizeof digits, static_cast<float>(number)).ptr;
+    return {digits, end};
 }
 
 std::string list(const std::vector<double>& numbers)
 {
     std::string words;
-    for (const double number : numbers) {
-        if (!words.empty())
-            words += ' ';
-        words += exact(static_cast<float>(number));
-    }
+    for (const double number : numbers)
+        words += text(words.empty() ? "" : " ", exact(number));
     return words;
 }
 
@@ -45,6 +45,17 @@ std::vector<double> roughness_of(const environment::BakedSpecular& specular)
     return roughness;
 }
 
+// Roughness belongs to the specular cube alone.
+Metadata metadata_of(const Baked& baked, const BakeArguments& arguments, bool specular)
+{
+    Metadata metadata = {{"KTXwriter", text("lambent ", version)}, {"lambent.sh", list(baked.coefficients)}};
+    if (specular)
+        metadata["lambent.roughness"] = list(roughness_of(baked.specular));
+    if (arguments.mirrored)
+        metadata["lambent.mirrored"] = "x";
+    return metadata;
+}
+
 const char* extension(BakeFormat format)
 {
     switch (format) {
@@ -54,133 +65,211 @@ const char* extension(BakeFormat format)
         return ".exr";
     case BakeFormat::hdr:
         return ".hdr";
-    default:
-        return ".ktx2";
+    case BakeFormat::ktx2:
+        break;
     }
+    return ".ktx2";
 }
 
-// Writes files and remembers their names.
-class Writer {
+// Writes one file for a renderer.
+void write_cube(const image::CubeMap& map, const BakeArguments& arguments, const Metadata& metadata,
+                const std::filesystem::path& path)
+{
+    if (arguments.format == BakeFormat::ktx2)
+        write_ktx2(map, {arguments.texels, arguments.zstd, metadata}, path);
+    else
+        write_dds(map, arguments.texels, path);
+}
+
+std::vector<std::string> write_one_file(const Baked& baked, const BakeArguments& arguments)
+{
+    const image::CubeMap& cube = baked.specular.cube;
+    const Metadata metadata = metadata_of(baked, arguments, true);
+    write_cube(arguments.mirrored ? mirrored(cube) : cube, arguments, metadata, arguments.output);
+    return {arguments.output};
+}
+
+// Writes into a folder and remembers the names.
+class FolderWriter {
 public:
-    Writer(const BakeArguments& arguments, fs::path folder)
-        : arguments_(arguments), folder_(std::move(folder))
+    FolderWriter(const NewFolder& folder, const BakeArguments& arguments,
+                 const std::function<void()>& before_file)
+        : folder_(folder), arguments_(arguments), before_file_(before_file)
     {
     }
 
-    void cube(const image::CubeMap& map, const std::string& name,
-              const std::map<std::string, std::string>& metadata)
+    /// Names of its files, for each level; of a file for renderers, once.
+    std::vector<std::vector<std::string>> cube(const image::CubeMap& map, const std::string& name,
+                                               const Metadata& metadata)
     {
-        const image::CubeMap turned = arguments_.mirrored ? mirrored(map) : map;
-        if (arguments_.format == BakeFormat::ktx2)
-            write_ktx2(turned, {arguments_.texels, arguments_.zstd, metadata}, path(name + ".ktx2"));
-        else if (arguments_.format == BakeFormat::dds)
-            write_dds(turned, arguments_.texels, path(name + ".dds"));
-        else
-            for (int level = 0; level < turned.levels; ++level)
-                pictures(turned, level, turned.levels > 1 ? text(name, "_", level) : name);
+        const image::CubeMap turned = arguments_.mirrored ? mirrored(map) : image::CubeMap{};
+        const image::CubeMap& written = arguments_.mirrored ? turned : map;
+        const bool pictures = arguments_.format == BakeFormat::exr || arguments_.format == BakeFormat::hdr;
+        if (!pictures) {
+            const std::string file = name + extension(arguments_.format);
+            write_cube(written, arguments_, metadata, path(file));
+            return {{file}};
+        }
+        std::vector<std::vector<std::string>> files;
+        for (int level = 0; level < map.levels; ++level)
+            files.push_back(level_pictures(written, level, map.levels > 1 ? text(name, "_", level) : name));
+        return files;
     }
 
-    void picture(const image::RadianceImage& image, const std::string& name)
+    /// Light that no format for cubes holds: .hdr where all else is, else .exr.
+    std::string picture(const image::RadianceImage& image, const std::string& name)
     {
         const BakeFormat format = arguments_.format == BakeFormat::hdr ? BakeFormat::hdr : BakeFormat::exr;
-        image::write_radiance(image, path(name + extension(format)));
+        const std::string file = name + extension(format);
+        image::write_radiance(image, path(file));
+        return file;
     }
 
-    void json(const nlohmann::ordered_json& object, const std::string& name)
+    std::string words(const std::string& content, const std::string& file)
     {
-        const std::string content = object.dump(2) + "\n";
-        write_file(path(name),
-                   std::span(reinterpret_cast<const std::uint8_t*>(content.data()), content.size()));
+        const auto* bytes = reinterpret_cast<const std::uint8_t*>(content.data());
+        write_file(path(file), std::span(bytes, content.size()));
+        return file;
     }
 
-    std::vector<std::string> names;
+    const std::vector<std::string>& names() const { return names_; }
 
 private:
-    void pictures(const image::CubeMap& map, int level, const std::string& name)
+    std::vector<std::string> level_pictures(const image::CubeMap& map, int level, const std::string& name)
     {
         if (arguments_.layout == CubeLayout::cross)
-            picture(cross_image(map, level), name);
-        else if (arguments_.layout == CubeLayout::equirectangular)
-            picture(equirectangular_image(map, level, 2 * map.face_size(level)), name);
-        else
-            for (int face = 0; face < 6; ++face)
-                picture(face_image(map, level, face),
-                        text(name, "_", image::face_names[static_cast<std::size_t>(face)]));
+            return {picture(cross_image(map, level), name)};
+        if (arguments_.layout == CubeLayout::equirectangular)
+            return {picture(equirectangular_image(map, level, 2 * map.face_size(level)), name)};
+        std::vector<std::string> files;
+        for (int face = 0; face < 6; ++face)
+            files.push_back(picture(face_image(map, level, face),
+                                    text(name, "_", image::face_names[static_cast<std::size_t>(face)])));
+        return files;
     }
 
-    fs::path path(const std::string& name)
+    std::filesystem::path path(const std::string& name)
     {
-        names.push_back(name);
-        return folder_ / name;
+        before_file_();
+        names_.push_back(name);
+        return folder_.path(name);
     }
 
+    const NewFolder& folder_;
     const BakeArguments& arguments_;
-    fs::path folder_;
+    const std::function<void()>& before_file_;
+    std::vector<std::string> names_;
 };
 
-std::map<std::string, std::string> specular_metadata(const Baked& baked)
+// One coefficient a line, RGB.
+std::string coefficient_lines(const std::vector<double>& coefficients)
 {
-    return {{"KTXwriter", text("lambent ", version)},
-            {"lambent.roughness", list(roughness_of(baked.specular))},
-            {"lambent.sh", list(baked.coefficients)}};
+    std::string lines;
+    for (std::size_t i = 0; i < coefficients.size(); i += 3)
+        lines += list({coefficients.begin() + static_cast<std::ptrdiff_t>(i),
+                       coefficients.begin() + static_cast<std::ptrdiff_t>(i + 3)}) +
+                 "\n";
+    return lines;
 }
 
-nlohmann::ordered_json describe(const Baked& baked, const BakeArguments& arguments,
-                                const std::vector<std::string>& names)
+const char* name_of(CubeLayout layout)
 {
-    nlohmann::ordered_json levels = nlohmann::ordered_json::array();
-    for (std::size_t i = 0; i < baked.specular.levels.size(); ++i) {
-        const environment::BakedLevel& level = baked.specular.levels[i];
-        levels.push_back({{"size", baked.specular.cube.face_size(static_cast<int>(i))},
-                          {"roughness", level.perceptual_roughness},
-                          {"error", level.error}});
+    return layout == CubeLayout::faces ? "faces" : layout == CubeLayout::cross ? "cross" : "equirectangular";
+}
+
+Json describe_input(const BakeArguments& arguments)
+{
+    Json json = {{"generator", text("lambent ", version)},
+                 {"environment", arguments.environment},
+                 {"env_rotation", arguments.rotation}};
+    const bool pictures = arguments.format == BakeFormat::exr || arguments.format == BakeFormat::hdr;
+    json["up"] = "+Y";
+    json["layout"] = pictures ? name_of(arguments.layout) : "cube";
+    json["faces"] = "+X -X +Y -Y +Z -Z";
+    json["mirrored"] = arguments.mirrored;
+    return json;
+}
+
+Json describe_specular(const Baked& baked, const BakeArguments& arguments,
+                       const std::vector<std::vector<std::string>>& files)
+{
+    using environment::BakeLobe, environment::RoughnessMapping;
+    const environment::BakeOptions& options = arguments.options;
+    Json json = {{"lobe", options.lobe == BakeLobe::ggx ? "ggx" : "phong"},
+                 {"roughness_mapping", options.mapping == RoughnessMapping::linear ? "linear" : "cmgen"},
+                 {"error_aimed_at", options.error}};
+    const bool one_file = files.size() == 1 && files.front().size() == 1;
+    if (one_file)
+        json["file"] = files.front().front();
+    json["levels"] = describe_levels(baked.specular);
+    for (std::size_t level = 0; !one_file && level < files.size(); ++level)
+        json["levels"][level]["files"] = files[level];
+    return json;
+}
+
+void write_all(const Baked& baked, const BakeArguments& arguments, FolderWriter& writer)
+{
+    Json json = describe_input(arguments);
+    const auto specular = writer.cube(baked.specular.cube, "specular", metadata_of(baked, arguments, true));
+    json["specular"] = describe_specular(baked, arguments, specular);
+    json["irradiance"]["coefficients"] = {};
+    for (const double c : baked.coefficients)
+        json["irradiance"]["coefficients"].push_back(std::stod(exact(c)));
+    json["irradiance"]["coefficients_file"] = writer.words(coefficient_lines(baked.coefficients), "sh.txt");
+    if (baked.irradiance) {
+        json["irradiance"]["size"] = baked.irradiance->size;
+        json["irradiance"]["files"] =
+            writer.cube(*baked.irradiance, "irradiance", metadata_of(baked, arguments, false)).front();
     }
-    return {{"generator", text("lambent ", version)},
-            {"environment", arguments.environment},
-            {"lobe", arguments.options.lobe == environment::BakeLobe::ggx ? "ggx" : "phong"},
-            {"mirrored", arguments.mirrored},
-            {"levels", levels},
-            {"irradiance_sh", baked.coefficients},
-            {"files", names}};
+    if (baked.table)
+        json["split_sum"] = {{"size", baked.table->width},
+                             {"file", writer.picture(*baked.table, "split_sum")}};
+    // File names may hold any bytes; what is not UTF-8 is shown as a replacement character.
+    writer.words(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n", "bake.json");
+}
+
+std::vector<std::string> write_folder(const Baked& baked, const BakeArguments& arguments,
+                                      const std::function<void()>& before_file)
+{
+    NewFolder folder(arguments.output);
+    FolderWriter writer(folder, arguments, before_file);
+    try {
+        write_all(baked, arguments, writer);
+    } catch (const Error& error) {
+        throw Error(error.failure(), folder.without_hiding(error.what()));
+    }
+    folder.put_in_place(writer.names());
+    return writer.names();
 }
 
 } // namespace
 
-void check_bake_output(const BakeArguments& arguments)
+Json describe_levels(const environment::BakedSpecular& specular)
 {
-    if (arguments.one_file) {
-        check_can_write(arguments.output);
-        return;
-    }
-    std::error_code error;
-    fs::create_directories(arguments.output, error);
-    if (error)
-        throw Error(Failure::cannot_write,
-                    text(arguments.output, ": cannot make the folder: ", error.message()));
-    check_can_write(fs::path(arguments.output) / "bake.json");
+    Json levels = Json::array();
+    for (std::size_t i = 0; i < specular.levels.size(); ++i)
+        levels.push_back({{"size", specular.cube.face_size(static_cast<int>(i))},
+                          {"roughness", specular.levels[i].perceptual_roughness},
+                          // Sums of threads differ in their last digits.
+                          {"error", std::round(specular.levels[i].error * 1e6) / 1e6}});
+    return levels;
 }
 
-std::vector<std::string> write_baked(const Baked& baked, const BakeArguments& arguments)
+void check_bake_output(const BakeArguments& arguments)
 {
-    if (arguments.one_file) {
-        const fs::path path = arguments.output;
-        const image::CubeMap turned = arguments.mirrored ? mirrored(baked.specular.cube) : image::CubeMap{};
-        const image::CubeMap& cube = arguments.mirrored ? turned : baked.specular.cube;
-        if (arguments.format == BakeFormat::ktx2)
-            write_ktx2(cube, {arguments.texels, arguments.zstd, specular_metadata(baked)}, path);
-        else
-            write_dds(cube, arguments.texels, path);
-        return {arguments.output};
-    }
-    Writer writer(arguments, arguments.output);
-    writer.cube(baked.specular.cube, "specular", specular_metadata(baked));
-    if (baked.irradiance)
-        writer.cube(*baked.irradiance, "irradiance",
-                    {{"KTXwriter", text("lambent ", version)}, {"lambent.sh", list(baked.coefficients)}});
-    if (baked.table)
-        writer.picture(*baked.table, "split_sum");
-    writer.json(describe(baked, arguments, writer.names), "bake.json");
-    return writer.names;
+    if (arguments.one_file)
+        check_can_write(arguments.output);
+    else
+        check_can_make_folder(arguments.output);
+}
+
+std::vector<std::string> write_baked(const Baked& baked, const BakeArguments& arguments,
+                                     const std::function<void()>& before_file)
+{
+    if (!arguments.one_file)
+        return write_folder(baked, arguments, before_file);
+    before_file();
+    return write_one_file(baked, arguments);
 }
 
 } // namespace lambent::cli

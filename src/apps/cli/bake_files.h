@@ -4,7 +4,9 @@
 #include "apps/cli/arguments.h"
 #include "environment/bake.h"
 
-#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,10 +21,17 @@ struct Baked {
     std::optional<image::RadianceImage> table;
 };
 
-/// Makes the folder, if it is one. Throws Error(cannot_write) for what is plain before the work.
+/// Size, roughness and error of each level.
+nlohmann::ordered_json describe_levels(const environment::BakedSpecular& specular);
+
+/// Throws Error(cannot_write) for what is plain before the work. Makes nothing yet, so that nothing is left of a bake
+/// that fails.
 void check_bake_output(const BakeArguments& arguments);
 
-/// Writes everything, bake.json last; each file whole or not at all. Returns their names. Throws Error(cannot_write).
-std::vector<std::string> write_baked(const Baked& baked, const BakeArguments& arguments);
+/// Writes everything and returns the files' names. A folder gets its files when all of them are complete; bake.json
+/// comes last. `before_file` is called before each; what it throws, as any other failure, leaves nothing behind.
+/// Throws Error(cannot_write).
+std::vector<std::string> write_baked(const Baked& baked, const BakeArguments& arguments,
+                                     const std::function<void()>& before_file);
 
 } // namespace lambent::cli

@@ -18,14 +18,19 @@ public:
     BakeArguments result() const;
 
 private:
-    void apply_work(BakeArguments& arguments) const;
+    void add_light(CLI::App& command);
+    void add_files(CLI::App& command);
+    void apply_light(BakeArguments& arguments) const;
+    void apply_error(environment::BakeOptions& options) const;
     void apply_files(BakeArguments& arguments) const;
+    void apply_pictures(BakeArguments& arguments) const;
+    void apply_texels(BakeArguments& arguments) const;
 
     CLI::App* command_ = nullptr;
     CommonWords common_;
     BakeArguments arguments_;
-    std::string size_, irradiance_, specular_, error_, samples_, format_, table_;
-    std::string roughness_, layout_, texels_;
+    std::string size_, irradiance_, specular_, error_, samples_, table_, roughness_, rotation_;
+    std::string format_, layout_, texels_;
     bool no_cache_ = false;
 };
 

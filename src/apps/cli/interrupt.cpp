@@ -1,6 +1,7 @@
 #include "apps/cli/interrupt.h"
 
 #include <csignal>
+#include <cstdlib>
 
 #include <signal.h>
 
@@ -9,9 +10,9 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
-void note(int)
+void note(int signal)
 {
-    interrupted = 1;
+    interrupted = signal;
 }
 
 } // namespace
@@ -35,6 +36,14 @@ Interrupt::~Interrupt()
 bool Interrupt::asked() const
 {
     return interrupted != 0;
+}
+
+void Interrupt::end_program() const
+{
+    const int signal = interrupted;
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+    std::_Exit(128 + signal); // where the signal is blocked
 }
 
 } // namespace lambent::cli

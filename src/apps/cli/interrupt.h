@@ -12,6 +12,9 @@ public:
     Interrupt& operator=(const Interrupt&) = delete;
 
     bool asked() const;
+
+    /// Ends the program as the signal would have: for who was asked and has cleaned up.
+    [[noreturn]] void end_program() const;
 };
 
 } // namespace lambent::cli
