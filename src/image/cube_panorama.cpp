@@ -57,6 +57,20 @@ const float* texel(const CubeMap& map, int level, int face, int x, int y)
                      std::clamp(static_cast<int>(at.y), 0, size - 1));
 }
 
+// Bilinear between the four texels around.
+void look_up(const CubeMap& map, int level, const Place& at, float* rgb)
+{
+    const double x = std::floor(at.x - 0.5), y = std::floor(at.y - 0.5);
+    const double u = at.x - 0.5 - x, v = at.y - 0.5 - y;
+    for (int j = 0; j < 2; ++j)
+        for (int i = 0; i < 2; ++i) {
+            const float* from = texel(map, level, at.face, static_cast<int>(x) + i, static_cast<int>(y) + j);
+            const auto weight = static_cast<float>((i == 1 ? u : 1.0 - u) * (j == 1 ? v : 1.0 - v));
+            for (int k = 0; k < 3; ++k)
+                rgb[k] += weight * from[k];
+        }
+}
+
 } // namespace
 
 RadianceImage equirectangular_image(const CubeMap& map, int level, int height)
@@ -64,27 +78,20 @@ RadianceImage equirectangular_image(const CubeMap& map, int level, int height)
     check_cube_map(map);
     if (height < 1 || height > 32768)
         throw Error(Failure::usage, text("a panorama ", height, " texels high: 1 to 32768 are possible"));
-    const int width = 2 * height;
+    if (level < 0 || level >= map.levels)
+        throw Error(Failure::usage, text("level ", level, " of a cube map that has ", map.levels));
+    const int width = 2 * height, size = map.face_size(level);
     RadianceImage image{width, height, 3, {}};
     image.values.resize(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    for (int y = 0; y < height; ++y)
+    for (int y = 0; y < height; ++y) {
+        const double theta = (y + 0.5) / height * std::numbers::pi;
         for (int x = 0; x < width; ++x) {
             const double phi = ((x + 0.5) / width - 0.5) * 2.0 * std::numbers::pi;
-            const double theta = (y + 0.5) / height * std::numbers::pi;
-            const Place at =
-                place_of({std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi)},
-                         map.face_size(level));
-            const int left = static_cast<int>(std::floor(at.x - 0.5)),
-                      top = static_cast<int>(std::floor(at.y - 0.5));
-            const auto u = static_cast<float>(at.x - 0.5 - left), v = static_cast<float>(at.y - 0.5 - top);
-            for (int j = 0; j < 2; ++j)
-                for (int i = 0; i < 2; ++i) {
-                    const float* from = texel(map, level, at.face, left + i, top + j);
-                    const float weight = (i == 1 ? u : 1.0f - u) * (j == 1 ? v : 1.0f - v);
-                    for (int k = 0; k < 3; ++k)
-                        image.pixel(x, y)[k] += weight * from[k];
-                }
+            const Direction d = {std::sin(theta) * std::cos(phi), std::cos(theta),
+                                 std::sin(theta) * std::sin(phi)};
+            look_up(map, level, place_of(d, size), image.pixel(x, y));
         }
+    }
     return image;
 }
 
