@@ -46,15 +46,45 @@ Place place_of(const Direction& d, int size)
     return {static_cast<int>(2 * axis) + (negative ? 1 : 0), 0.5 * (s + 1.0) * size, 0.5 * (t + 1.0) * size};
 }
 
-// The texel, of the neighbouring face if it is beyond an edge.
-const float* texel(const CubeMap& map, int level, int face, int x, int y)
+// A level of a cube map, to be looked up.
+struct Level {
+    const CubeMap& map;
+    int level, size;
+
+    bool has(int x, int y) const { return x >= 0 && y >= 0 && x < size && y < size; }
+
+    void add_texel(int face, int x, int y, double weight, float* rgb) const
+    {
+        const float* from = map.pixel(level, face, std::clamp(x, 0, size - 1), std::clamp(y, 0, size - 1));
+        for (int k = 0; k < 3; ++k)
+            rgb[k] += static_cast<float>(weight) * from[k];
+    }
+};
+
+// Calls visit(x, y, weight) for the four texels around a point.
+template <class Visit>
+void around(const Place& at, const Visit& visit)
 {
-    const int size = map.face_size(level);
-    Place at{face, x + 0.5, y + 0.5};
-    if (x < 0 || y < 0 || x >= size || y >= size)
-        at = place_of(direction_of(face, at.x, at.y, size), size);
-    return map.pixel(level, at.face, std::clamp(static_cast<int>(at.x), 0, size - 1),
-                     std::clamp(static_cast<int>(at.y), 0, size - 1));
+    const double x = std::floor(at.x - 0.5), y = std::floor(at.y - 0.5);
+    const double u = at.x - 0.5 - x, v = at.y - 0.5 - y;
+    const int left = static_cast<int>(x), top = static_cast<int>(y);
+    visit(left, top, (1.0 - u) * (1.0 - v));
+    visit(left + 1, top, u * (1.0 - v));
+    visit(left, top + 1, (1.0 - u) * v);
+    visit(left + 1, top + 1, u * v);
+}
+
+// Bilinear. Beyond an edge the face's plane goes on, and what would be its texel there is looked up, bilinearly too,
+// among those of the neighbouring face.
+void look_up(const Level& level, const Place& at, float* rgb)
+{
+    around(at, [&](int x, int y, double weight) {
+        if (level.has(x, y))
+            return level.add_texel(at.face, x, y, weight, rgb);
+        const Place there = place_of(direction_of(at.face, x + 0.5, y + 0.5, level.size), level.size);
+        around(there,
+               [&](int i, int j, double share) { level.add_texel(there.face, i, j, weight * share, rgb); });
+    });
 }
 
 } // namespace
@@ -64,27 +94,20 @@ RadianceImage equirectangular_image(const CubeMap& map, int level, int height)
     check_cube_map(map);
     if (height < 1 || height > 32768)
         throw Error(Failure::usage, text("a panorama ", height, " texels high: 1 to 32768 are possible"));
-    const int width = 2 * height;
+    if (level < 0 || level >= map.levels)
+        throw Error(Failure::usage, text("level ", level, " of a cube map that has ", map.levels));
+    const int width = 2 * height, size = map.face_size(level);
     RadianceImage image{width, height, 3, {}};
     image.values.resize(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    for (int y = 0; y < height; ++y)
+    for (int y = 0; y < height; ++y) {
+        const double theta = (y + 0.5) / height * std::numbers::pi;
         for (int x = 0; x < width; ++x) {
             const double phi = ((x + 0.5) / width - 0.5) * 2.0 * std::numbers::pi;
-            const double theta = (y + 0.5) / height * std::numbers::pi;
-            const Place at =
-                place_of({std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi)},
-                         map.face_size(level));
-            const int left = static_cast<int>(std::floor(at.x - 0.5)),
-                      top = static_cast<int>(std::floor(at.y - 0.5));
-            const auto u = static_cast<float>(at.x - 0.5 - left), v = static_cast<float>(at.y - 0.5 - top);
-            for (int j = 0; j < 2; ++j)
-                for (int i = 0; i < 2; ++i) {
-                    const float* from = texel(map, level, at.face, left + i, top + j);
-                    const float weight = (i == 1 ? u : 1.0f - u) * (j == 1 ? v : 1.0f - v);
-                    for (int k = 0; k < 3; ++k)
-                        image.pixel(x, y)[k] += weight * from[k];
-                }
+            const Direction d = {std::sin(theta) * std::cos(phi), std::cos(theta),
+                                 std::sin(theta) * std::sin(phi)};
+            look_up({map, level, size}, place_of(d, size), image.pixel(x, y));
         }
+    }
     return image;
 }
 

@@ -81,16 +81,32 @@ struct Case {
     std::string bytes;
 };
 
-// Runs the file as scene or as environment and checks how it is refused.
-void expect_refused(const Case& bad, bool environment)
+// How a file is used: as the scene, as the environment, as what is baked into a file or into a folder.
+enum class Use { scene, environment, bake_file, bake_folder };
+
+std::vector<std::string> command_for(Use use, const Folder& folder, const std::string& file)
+{
+    const std::string picture = folder.path("out.png");
+    switch (use) {
+    case Use::scene:
+        return {"render", file, "-o", picture, "--size", "32x18"};
+    case Use::environment:
+        return {"render", "sphere", "--env", file, "-o", picture, "--size", "32x18"};
+    case Use::bake_file:
+        return {"bake", file, "-o", folder.path("out.ktx2"), "--size", "8"};
+    case Use::bake_folder:
+        break;
+    }
+    return {"bake", file, "-o", folder.path("out"), "--size", "8"};
+}
+
+// Runs the file and checks how it is refused.
+void expect_refused(const Case& bad, Use use)
 {
     const Folder folder;
-    const std::string file = folder.path(environment ? "bad.hdr" : "bad.glb");
+    const std::string file = folder.path(use == Use::scene ? "bad.glb" : "bad.hdr");
     write_bytes(file, bad.bytes);
-    const std::string out = folder.path("out.png");
-    const Outcome outcome = environment
-                                ? lambent({"render", "sphere", "--env", file, "-o", out, "--size", "32x18"})
-                                : lambent({"render", file, "-o", out, "--size", "32x18"});
+    const Outcome outcome = lambent(command_for(use, folder, file));
     EXPECT_EQ(outcome.code, 3) << bad.name << ": " << outcome.error;
     EXPECT_EQ(outcome.error.rfind("lambent: error: " + file, 0), 0u) << bad.name << ": " << outcome.error;
     EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1)
@@ -135,7 +151,8 @@ TEST(Hostile, Panoramas)
         {"a model", triangle()},
     };
     for (const Case& bad : cases)
-        expect_refused(bad, true);
+        for (const Use use : {Use::environment, Use::bake_file, Use::bake_folder})
+            expect_refused(bad, use);
 }
 
 TEST(Hostile, Models)
@@ -173,7 +190,7 @@ TEST(Hostile, Models)
         {"deep nesting", deep},
     };
     for (const Case& bad : cases)
-        expect_refused(bad, false);
+        expect_refused(bad, Use::scene);
 }
 
 TEST(Hostile, IndicesPastTheVertices)
@@ -181,7 +198,7 @@ TEST(Hostile, IndicesPastTheVertices)
     std::string bytes = triangle();
     // The last index lies two bytes before the padding of the binary chunk.
     bytes[bytes.size() - 4] = '\x07';
-    expect_refused({"index past the vertices", bytes}, false);
+    expect_refused({"index past the vertices", bytes}, Use::scene);
 }
 
 TEST(Hostile, AMissingTextureIsNamed)
@@ -211,6 +228,7 @@ TEST(Hostile, FilesThatAreNone)
     for (const std::string& path : {folder.path("missing.glb"), folder.path(""), std::string("/dev/zero")}) {
         EXPECT_EQ(lambent({"render", path, "-o", out}).code, 3) << path;
         EXPECT_EQ(lambent({"render", "sphere", "--env", path, "-o", out}).code, 3) << path;
+        EXPECT_EQ(lambent({"bake", path, "-o", folder.path("x")}).code, 3) << path;
         EXPECT_EQ(lambent({"info", path}).code, 3) << path;
     }
     EXPECT_TRUE(folder.names().empty());
@@ -225,6 +243,9 @@ TEST(Hostile, TinyPanoramasWork)
                                      folder.path("x.png"), "--size", "32x18"});
     EXPECT_EQ(outcome.code, 0) << outcome.error;
     EXPECT_EQ(outcome.error, "");
+    const Outcome baked = lambent({"bake", folder.path("tiny.hdr"), "-o", folder.path("x"), "--size", "8"});
+    EXPECT_EQ(baked.code, 0) << baked.error;
+    EXPECT_EQ(baked.error, "");
 }
 
 } // namespace
