@@ -78,7 +78,8 @@ void EnvironmentCache::make_room(std::uint64_t bytes) const
     std::uint64_t all = bytes;
     std::error_code ignored;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder_)) {
-        if (!entry.is_regular_file(ignored) || entry.path().filename().string().find(ending) == std::string::npos)
+        if (!entry.is_regular_file(ignored) ||
+            entry.path().filename().string().find(ending) == std::string::npos)
             continue;
         files.push_back({entry.last_write_time(ignored), entry.file_size(ignored), entry.path()});
         all += files.back().size;

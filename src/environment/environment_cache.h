@@ -15,7 +15,10 @@ namespace lambent::environment {
 class EnvironmentCache {
 public:
     /// At most `limit` bytes in all: those not used for longest go first.
-    EnvironmentCache(std::filesystem::path folder, std::uint64_t limit) : folder_(std::move(folder)), limit_(limit) {}
+    EnvironmentCache(std::filesystem::path folder, std::uint64_t limit)
+        : folder_(std::move(folder)), limit_(limit)
+    {
+    }
 
     std::optional<MadeEnvironment> find(const std::string& key) const;
     void keep(const std::string& key, const MadeEnvironment& made) const;

@@ -180,6 +180,7 @@ TEST(Run, AnEmptySceneIsItsBackground)
 TEST(Run, EnvironmentsAreCached)
 {
     const Folder folder;
+    std::filesystem::remove_all(testing::cache_home());
     const std::string panorama = folder.path("sky.hdr");
     ASSERT_EQ(lambent({"env", "sky", "-o", panorama, "--size", "256x128"}).code, 0);
     const auto draw = [&](const std::string& name, std::vector<std::string> more) {

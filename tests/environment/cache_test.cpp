@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 MadeEnvironment made_of(double light)
 {
     MadeEnvironment made;
-    made.environment = make_environment(testing::sunny_panorama(64, testing::normalized({1.0, 1.0, 0.3}), light));
+    made.environment =
+        make_environment(testing::sunny_panorama(64, testing::normalized({1.0, 1.0, 0.3}), light));
     made.warnings = {"a line", "", "another line"};
     return made;
 }
