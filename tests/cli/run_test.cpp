@@ -29,7 +29,7 @@ TEST(Run, HelpAndVersion)
 {
     const Outcome help = lambent({"--help"});
     EXPECT_EQ(help.code, 0);
-    for (const char* command : {"render", "reference", "compare", "env", "info"})
+    for (const char* command : {"render", "bake", "reference", "compare", "env", "info"})
         EXPECT_NE(help.output.find(command), std::string::npos);
     EXPECT_EQ(lambent({"--version"}).output.rfind("lambent ", 0), 0u);
     EXPECT_EQ(lambent({"render", "--help"}).code, 0);

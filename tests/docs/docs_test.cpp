@@ -173,6 +173,7 @@ TEST(Docs, CliListsEveryOptionAndNoOther)
     std::set<std::string> real;
     for (const Command& command : {Command{"--help"},
                                    {"render", "--help"},
+                                   {"bake", "--help"},
                                    {"reference", "--help"},
                                    {"compare", "--help"},
                                    {"env", "--help"},
