@@ -213,7 +213,7 @@ TEST(Arguments, BackgroundsAndColours)
 TEST(Arguments, NonsenseIsRefusedInOneLine)
 {
     EXPECT_NE(refusal({"frobnicate"}).find("frobnicate"), std::string::npos);
-    EXPECT_NE(refusal({"bake", "x.hdr", "-o", "y"}).find("bake"), std::string::npos);
+    EXPECT_NE(refusal({"render-all", "x.hdr", "-o", "y"}).find("render-all"), std::string::npos);
     EXPECT_FALSE(refusal({}).empty());
     EXPECT_FALSE(refusal({"render"}).empty());
     EXPECT_FALSE(refusal({"render", "sphere"}).empty());
