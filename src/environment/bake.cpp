@@ -17,7 +17,7 @@ namespace lambent::environment {
 namespace {
 
 constexpr int most_rounds = 3;
-constexpr double usual_fineness = 0.8; // for an error of 0.01
+constexpr double usual_fineness = 0.7; // for an error of 0.01
 constexpr double irradiance_fineness = 5.0, irradiance_extent = 0.02;
 
 double roughness_of(const BakeOptions& options, int level, int levels)

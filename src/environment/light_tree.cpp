@@ -55,7 +55,7 @@ struct Sums {
 
 // How far apart, in parts of a cell's extent, the middles of its light and of its area may be to count as one, and in
 // parts of its square how different the variances.
-constexpr float same_middle = 0.02f, same_variance = 0.01f;
+constexpr float same_middle = 0.06f, same_variance = 0.03f;
 
 // The cell of these sums; in `area`, and true, if its area needs one of its own.
 bool split(const Sums& sums, float extent, LightCell& cell, LightCell& area)

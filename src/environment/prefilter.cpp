@@ -12,7 +12,7 @@ namespace {
 constexpr double horizon_extent = 0.05;
 
 // In a lobe's middle cells are finer than this part of its alpha, whatever their distance.
-constexpr double core = 0.45;
+constexpr double core = 0.4;
 
 // Cells with more than this share of all light are finer still, by so many times.
 constexpr double much_light = 0.002, much_light_times = 4.0;

@@ -12,8 +12,8 @@ namespace {
 
 // Panoramas finer than so many columns are summed by blocks, each at the middle of its light: but where a lobe is narrow,
 // texel by texel. What blocks leave out is of second order: less than 0.1 % for lobes of this alpha.
-constexpr int most_blocks = 2048;
-constexpr double least_alpha_of_blocks = 0.06;
+constexpr int most_blocks = 1024;
+constexpr double least_alpha_of_blocks = 0.12;
 constexpr double near_in_alphas = 12.0;
 
 struct Angles {
