@@ -1,4 +1,4 @@
-// `lambent bake` as its users meet it: what its files hold, how it is refused, and what it leaves when it fails.
+// `lambent bake` as its users meet it: what its files hold, how it is refused, what it leaves when it fails.
 #include "tests/cli/lambent.h"
 #include "tests/image/cube_reader.h"
 
@@ -75,7 +75,7 @@ nlohmann::json json_in(const std::string& path)
     return nlohmann::json::parse(bytes.begin(), bytes.end());
 }
 
-// Radiance 1 + d / 2, red by x, green by y, blue by z: its irradiance and its coefficients are known in closed form.
+// Radiance 1 + d / 2, red by x, green by y, blue by z: its coefficients are known in closed form.
 std::string write_gradient(const Folder& folder)
 {
     constexpr int width = 128, height = 64;

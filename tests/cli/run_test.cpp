@@ -180,7 +180,7 @@ TEST(Run, UsageErrorsAreTwo)
 {
     const Folder folder;
     expect_failure(lambent({}), 2);
-    expect_failure(lambent({"bake", "x.hdr", "-o", folder.path("y")}), 2);
+    expect_failure(lambent({"paint", "x.hdr", "-o", folder.path("y")}), 2);
     expect_failure(lambent({"render", "sphere", "-o", folder.path("x.gif")}), 2);
     expect_failure(lambent({"render", "sphere", "-o", folder.path("x.png"), "--camera-node", "none"}), 2);
     expect_failure(lambent({"env", "kitchenette", "-o", folder.path("x.hdr")}), 2);
