@@ -11,6 +11,7 @@ if(NOT TARGET glm::glm)
 endif()
 find_package(CLI11 CONFIG REQUIRED)
 find_package(nlohmann_json REQUIRED)
+find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED) # inlined: nothing to link
 find_path(TINYGLTF_INCLUDE_DIR tiny_gltf.h REQUIRED)
 pkg_check_modules(SPNG REQUIRED IMPORTED_TARGET spng)
 pkg_check_modules(TURBOJPEG REQUIRED IMPORTED_TARGET libturbojpeg)

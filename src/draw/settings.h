@@ -13,6 +13,11 @@ using view::from_scene, view::orbit_camera, view::ray_map;
 /// lobe; or the report's Hammersley points and formula of the level in the panorama's own mip chain, which shows blocks.
 enum class MipLevel { matched, report };
 
+/// How many of the lobe's samples a split-sum picture takes: the mean light of so few wide lookups times the table of
+/// what a surface reflects in all. One lookup in a cube of lobes seen along the normal, as engines do, is 2 to 11 times
+/// as far off (docs/ERRORS.md).
+constexpr int split_sum_samples = 8;
+
 /// Everything a drawing depends on but the scene and the environment.
 struct Settings : view::Picture {
     int samples = 40; ///< of the specular lobe, 1 to 65536

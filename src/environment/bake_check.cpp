@@ -7,7 +7,7 @@
 namespace lambent::environment {
 namespace {
 
-constexpr int checks_per_part = 4; // at random texels, and as many at those of most light
+constexpr int checks_per_part = 3; // at random texels, and as many at those of most light
 
 struct Check {
     int face, x, y;

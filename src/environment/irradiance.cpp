@@ -115,8 +115,56 @@ IrradianceMap make_irradiance_map(const Panorama& panorama, int face_size)
     return map;
 }
 
+namespace {
+
+constexpr std::size_t orders =
+    5; // 1, cos, sin, cos 2, sin 2 of the azimuth: all that harmonics of bands 0 to 2 have
+
+using Orders = std::array<double, orders>;
+
+Orders orders_at(double phi)
+{
+    return {1.0, std::cos(phi), std::sin(phi), std::cos(2.0 * phi), std::sin(2.0 * phi)};
+}
+
+// A row's light times each, by channel.
+std::array<Orders, 3> row_moments(const Panorama& panorama, int y, const std::vector<Orders>& columns)
+{
+    std::array<Orders, 3> sum{};
+    for (int x = 0; x < panorama.width; ++x) {
+        const Rgb c = panorama.radiance(x, y);
+        const Orders& at = columns[static_cast<std::size_t>(x)];
+        const double rgb[3] = {c.r, c.g, c.b};
+        for (std::size_t k = 0; k < 3; ++k)
+            for (std::size_t m = 0; m < orders; ++m)
+                sum[k][m] += rgb[k] * at[m];
+    }
+    return sum;
+}
+
+// The harmonics along a row as sums of the orders: by their values at five azimuths.
+std::array<Orders, 9> row_harmonics(double up, double ring)
+{
+    std::array<Orders, 9> coefficients{};
+    for (std::size_t j = 0; j < orders; ++j) {
+        const double phi = 2.0 * std::numbers::pi * static_cast<double>(j) / orders;
+        const Orders at = orders_at(phi);
+        const in_double::Harmonics h = in_double::harmonics({ring * at[1], up, ring * at[2]});
+        const double basis[9] = {h.c0, h.c1, h.c2, h.c3, h.c4, h.c5, h.c6, h.c7, h.c8};
+        for (std::size_t i = 0; i < 9; ++i)
+            for (std::size_t m = 0; m < orders; ++m)
+                coefficients[i][m] += (m == 0 ? 1.0 : 2.0) / orders * basis[i] * at[m];
+    }
+    return coefficients;
+}
+
+} // namespace
+
 HarmonicLight project_to_harmonics(const Panorama& panorama)
 {
+    std::vector<Orders> columns;
+    for (int x = 0; x < panorama.width; ++x)
+        columns.push_back(orders_at(((x + 0.5) / panorama.width - 0.5) * 2.0 * std::numbers::pi));
     const auto add = [](HarmonicLight a, const HarmonicLight& b) {
         for (std::size_t k = 0; k < 3; ++k)
             for (std::size_t i = 0; i < 9; ++i)
@@ -124,18 +172,16 @@ HarmonicLight project_to_harmonics(const Panorama& panorama)
         return a;
     };
     const auto sum_rows = [&](const tbb::blocked_range<int>& rows, HarmonicLight sum) {
-        for (int y = rows.begin(); y < rows.end(); ++y)
-            for (int x = 0; x < panorama.width; ++x) {
-                const Rgb c = panorama.radiance(x, y);
-                const in_double::vec3 d = in_double::direction_from_equirectangular(
-                    {(x + 0.5) / panorama.width, (y + 0.5) / panorama.height});
-                const in_double::Harmonics h = in_double::harmonics(d);
-                const double basis[9] = {h.c0, h.c1, h.c2, h.c3, h.c4, h.c5, h.c6, h.c7, h.c8};
-                const double rgb[3] = {c.r, c.g, c.b}, solid_angle = texel_solid_angle(panorama, y);
-                for (std::size_t k = 0; k < 3; ++k)
-                    for (std::size_t i = 0; i < 9; ++i)
-                        sum[k][i] += rgb[k] * solid_angle * basis[i];
-            }
+        for (int y = rows.begin(); y < rows.end(); ++y) {
+            const double theta = (y + 0.5) / panorama.height * std::numbers::pi;
+            const std::array<Orders, 3> moments = row_moments(panorama, y, columns);
+            const std::array<Orders, 9> harmonics = row_harmonics(std::cos(theta), std::sin(theta));
+            const double area = texel_solid_angle(panorama, y);
+            for (std::size_t k = 0; k < 3; ++k)
+                for (std::size_t i = 0; i < 9; ++i)
+                    for (std::size_t m = 0; m < orders; ++m)
+                        sum[k][i] += area * harmonics[i][m] * moments[k][m];
+        }
         return sum;
     };
     return tbb::parallel_reduce(tbb::blocked_range<int>(0, panorama.height, 8), HarmonicLight{}, sum_rows,

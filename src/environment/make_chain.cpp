@@ -50,11 +50,11 @@ struct Resampling {
 };
 
 // Points of a texel no further apart than the panorama's texels at a face's centre, where its own are largest.
-std::vector<TexelPoint> texel_points(int panorama_width, int face_size)
+std::vector<TexelPoint> texel_points(int panorama_width, int face_size, double density = 1.5)
 {
     if (panorama_width <= 4 * face_size) // nearly so with one; these two lie on a diagonal
         return {{0.25f, 0.75f}, {0.75f, 0.25f}};
-    const int across = static_cast<int>(std::ceil(1.5 / std::numbers::pi * panorama_width / face_size));
+    const int across = static_cast<int>(std::ceil(density / std::numbers::pi * panorama_width / face_size));
     std::vector<TexelPoint> points;
     for (int i = 0; i < across * across; ++i) {
         const int column = i % across, row = i / across;
@@ -195,11 +195,14 @@ GaussianTaps gaussian_taps(int count, float deviation)
 
 CubeChain resampled(const Panorama& panorama, int log2_size)
 {
+    // Many texels to one of a face are added up before.
+    if (panorama.width > (16 << log2_size) && panorama.width % 2 == 0 && panorama.height % 2 == 0)
+        return resampled(halved(panorama), log2_size);
     const double brightest = brightest_of(panorama);
     CubeChain chain;
     chain.allocate(log2_size, 1);
     chain.scale = chain_scale(static_cast<float>(brightest));
-    resample({&panorama, brightest_of_all, texel_points(panorama.width, chain.face_size(0))},
+    resample({&panorama, brightest_of_all, texel_points(panorama.width, chain.face_size(0), 1.0)},
              all_of(chain.face_size(0)), chain);
     return chain;
 }

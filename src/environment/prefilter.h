@@ -101,15 +101,18 @@ struct TexelSum {
 };
 void sum_texels(const Panorama& panorama, std::span<TexelSum> sums);
 
-/// A row of texels, for the loop of sum_texels: directions share their height. `count` is a multiple of 8, what is beyond
-/// the row has no light.
-struct TexelRow {
-    const double *x, *z;     ///< on the unit circle
-    const double *r, *g, *b; ///< radiance
-    double y, ring;          ///< height, and radius at that height
-    double area;             ///< solid angle of a texel
-    std::size_t count;
+/// Points of light, for the loop of sum_texels: the arrays may be read 8 beyond the last.
+struct LightPoints {
+    std::vector<double> x, y, z; ///< direction, about of unit length
+    std::vector<double> r, g, b; ///< radiance times solid angle
+
+    void resize(std::size_t count);
 };
-void add_texel_row(const TexelRow& row, TexelSum& sum);
+
+/// Adds the points [begin, end).
+struct LightRange {
+    std::size_t begin, end;
+};
+void add_points(const LightPoints& points, LightRange range, TexelSum& sum);
 
 } // namespace lambent::environment

@@ -110,36 +110,38 @@ HWY_INLINE void add(std::span<const LightCell> cells, const Shape& shape, const 
 
 using DoubleTag = hn::ScalableTag<double>;
 
-void sum_row_by_definition(const TexelRow& row, TexelSum& sum)
+void add_by_definition(const LightPoints& p, LightRange range, TexelSum& sum)
 {
-    for (size_t i = 0; i < row.count; ++i) {
-        const double c = row.ring * (sum.x * row.x[i] + sum.z * row.z[i]) + sum.y * row.y;
-        const double w = row.area * sum.lobe.weight(c);
-        sum.rgb[0] += w * row.r[i];
-        sum.rgb[1] += w * row.g[i];
-        sum.rgb[2] += w * row.b[i];
+    for (size_t i = range.begin; i < range.end; ++i) {
+        const double w = sum.lobe.weight(sum.x * p.x[i] + sum.y * p.y[i] + sum.z * p.z[i]);
+        sum.rgb[0] += w * p.r[i];
+        sum.rgb[1] += w * p.g[i];
+        sum.rgb[2] += w * p.b[i];
     }
 }
 
-void sum_row(const TexelRow& row, TexelSum& sum)
+void add_ggx(const LightPoints& p, LightRange range, TexelSum& sum)
 {
     const DoubleTag d;
     const double a2 = sum.lobe.alpha * sum.lobe.alpha;
-    const auto nx = hn::Set(d, sum.x * row.ring), nz = hn::Set(d, sum.z * row.ring),
-               up = hn::Set(d, sum.y * row.y);
+    const auto nx = hn::Set(d, sum.x), ny = hn::Set(d, sum.y), nz = hn::Set(d, sum.z);
     const auto A = hn::Set(d, 0.5 * (1.0 + a2)), B = hn::Set(d, 0.5 * (1.0 - a2)), none = hn::Zero(d);
     auto r = none, g = none, b = none;
-    for (size_t i = 0; i < row.count; i += hn::Lanes(d)) {
-        const auto c = hn::MulAdd(nx, hn::LoadU(d, row.x + i), hn::MulAdd(nz, hn::LoadU(d, row.z + i), up));
+    for (size_t i = range.begin; i < range.end; i += hn::Lanes(d)) {
+        const auto in_plane = hn::MulAdd(nx, hn::LoadU(d, &p.x[i]), hn::Mul(nz, hn::LoadU(d, &p.z[i])));
+        const auto c = hn::MulAdd(ny, hn::LoadU(d, &p.y[i]), in_plane);
         const auto q = hn::NegMulAdd(B, c, A);
-        const auto w = hn::Div(hn::Max(c, none), hn::Mul(q, q));
-        r = hn::MulAdd(w, hn::LoadU(d, row.r + i), r);
-        g = hn::MulAdd(w, hn::LoadU(d, row.g + i), g);
-        b = hn::MulAdd(w, hn::LoadU(d, row.b + i), b);
+        const auto counted = hn::And(hn::FirstN(d, range.end - i), hn::Gt(c, none));
+        if (hn::AllFalse(d, counted))
+            continue;
+        const auto w = hn::IfThenElseZero(counted, hn::Div(c, hn::Mul(q, q)));
+        r = hn::MulAdd(w, hn::LoadU(d, &p.r[i]), r);
+        g = hn::MulAdd(w, hn::LoadU(d, &p.g[i]), g);
+        b = hn::MulAdd(w, hn::LoadU(d, &p.b[i]), b);
     }
-    sum.rgb[0] += row.area * hn::GetLane(hn::SumOfLanes(d, r));
-    sum.rgb[1] += row.area * hn::GetLane(hn::SumOfLanes(d, g));
-    sum.rgb[2] += row.area * hn::GetLane(hn::SumOfLanes(d, b));
+    sum.rgb[0] += hn::GetLane(hn::SumOfLanes(d, r));
+    sum.rgb[1] += hn::GetLane(hn::SumOfLanes(d, g));
+    sum.rgb[2] += hn::GetLane(hn::SumOfLanes(d, b));
 }
 
 } // namespace
@@ -153,12 +155,12 @@ HWY_FLATTEN void add_cells(std::span<const LightCell> cells, const PrefilterLobe
         add(cells, GgxWeight(lobe), texels);
 }
 
-HWY_FLATTEN void add_texel_row(const TexelRow& row, TexelSum& sum)
+HWY_FLATTEN void add_points(const LightPoints& points, LightRange range, TexelSum& sum)
 {
     if (sum.lobe.phong)
-        sum_row_by_definition(row, sum);
+        add_by_definition(points, range, sum);
     else
-        sum_row(row, sum);
+        add_ggx(points, range, sum);
 }
 
 } // namespace lambent::environment::HWY_NAMESPACE
@@ -168,16 +170,16 @@ HWY_AFTER_NAMESPACE();
 namespace lambent::environment {
 
 HWY_EXPORT(add_cells);
-HWY_EXPORT(add_texel_row);
+HWY_EXPORT(add_points);
 
 void add_cells(std::span<const LightCell> cells, const PrefilterLobe& lobe, const PrefilterTexels& texels)
 {
     HWY_DYNAMIC_DISPATCH(add_cells)(cells, lobe, texels);
 }
 
-void add_texel_row(const TexelRow& row, TexelSum& sum)
+void add_points(const LightPoints& points, LightRange range, TexelSum& sum)
 {
-    HWY_DYNAMIC_DISPATCH(add_texel_row)(row, sum);
+    HWY_DYNAMIC_DISPATCH(add_points)(points, range, sum);
 }
 
 } // namespace lambent::environment

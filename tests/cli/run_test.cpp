@@ -176,11 +176,40 @@ TEST(Run, AnEmptySceneIsItsBackground)
     EXPECT_EQ(image::read_radiance(folder.path("x.exr")).values[0], 1.0f);
 }
 
+// Pictures, warnings and all, are the same from the cache, and nothing is kept that was not asked for.
+TEST(Run, EnvironmentsAreCached)
+{
+    const Folder folder;
+    std::filesystem::remove_all(testing::cache_home());
+    const std::string panorama = folder.path("sky.hdr");
+    ASSERT_EQ(lambent({"env", "sky", "-o", panorama, "--size", "256x128"}).code, 0);
+    const auto draw = [&](const std::string& name, std::vector<std::string> more) {
+        more.insert(more.begin(), {"render", "sphere", "--env", panorama, "-o", folder.path(name), "--size",
+                                   "48x32", "--stats", "json"});
+        const Outcome outcome = lambent(more);
+        EXPECT_EQ(outcome.code, 0) << outcome.error;
+        return nlohmann::json::parse(outcome.output)["environment_cached"].get<bool>();
+    };
+    EXPECT_FALSE(draw("a.exr", {"--no-cache"}));
+    EXPECT_FALSE(std::filesystem::exists(testing::cache_home()));
+    EXPECT_FALSE(draw("b.exr", {}));
+    EXPECT_TRUE(draw("c.exr", {}));
+    EXPECT_FALSE(draw("d.exr", {"--no-cache"}));
+    for (const char* name : {"b.exr", "c.exr", "d.exr"})
+        EXPECT_EQ(image::read_radiance(folder.path(name)).values,
+                  image::read_radiance(folder.path("a.exr")).values);
+    // Another content under the same name.
+    ASSERT_EQ(lambent({"env", "studio", "-o", panorama, "--size", "256x128"}).code, 0);
+    EXPECT_FALSE(draw("e.exr", {}));
+    EXPECT_NE(image::read_radiance(folder.path("e.exr")).values,
+              image::read_radiance(folder.path("a.exr")).values);
+}
+
 TEST(Run, UsageErrorsAreTwo)
 {
     const Folder folder;
     expect_failure(lambent({}), 2);
-    expect_failure(lambent({"paint", "x.hdr", "-o", folder.path("y")}), 2);
+    expect_failure(lambent({"bake", "none", "-o", folder.path("y")}), 2);
     expect_failure(lambent({"render", "sphere", "-o", folder.path("x.gif")}), 2);
     expect_failure(lambent({"render", "sphere", "-o", folder.path("x.png"), "--camera-node", "none"}), 2);
     expect_failure(lambent({"env", "kitchenette", "-o", folder.path("x.hdr")}), 2);

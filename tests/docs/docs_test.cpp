@@ -148,6 +148,17 @@ TEST(Docs, EveryLinkLeadsSomewhere)
     EXPECT_GT(links, 10);
 }
 
+// Indented as code, line by line.
+TEST(Docs, TheLibraryPageShowsTheExample)
+{
+    std::istringstream lines(contents(root / "examples/bake/main.cpp"));
+    std::string shown;
+    for (std::string line; std::getline(lines, line);)
+        shown += line.empty() ? "\n" : "    " + line + "\n";
+    EXPECT_GT(shown.size(), 500u);
+    EXPECT_NE(contents(root / "docs/LIBRARY.md").find(shown), std::string::npos);
+}
+
 std::set<std::string> options_in(const std::string& text)
 {
     std::set<std::string> options;

@@ -98,12 +98,14 @@ auto ggx(double roughness)
     };
 }
 
-double relative_error(const image::CubeMap& cube, int level, const std::vector<Texel>& texels, double factor = 1.0)
+double relative_error(const image::CubeMap& cube, int level, const std::vector<Texel>& texels,
+                      double factor = 1.0)
 {
     double square = 0.0, mean = 0.0;
     for (const Texel& t : texels)
         for (std::size_t k = 0; k < 3; ++k) {
-            const double off = static_cast<double>(cube.pixel(level, t.face, t.x, t.y)[k]) - factor * t.light[k];
+            const double off =
+                static_cast<double>(cube.pixel(level, t.face, t.x, t.y)[k]) - factor * t.light[k];
             square += off * off;
             mean += factor * t.light[k];
         }
@@ -190,7 +192,8 @@ TEST(Bake, PhongIsThePowerOfTheCosine)
         const double roughness = baked.levels[static_cast<std::size_t>(level)].perceptual_roughness;
         const double exponent = in_double::phong_exponent(roughness * roughness);
         std::vector<Texel> texels = random_texels(baked.cube.face_size(level), 30, -2.0);
-        sum_all(sunny_texels(), [=](double c) { return std::pow(c, exponent); }, texels);
+        sum_all(
+            sunny_texels(), [=](double c) { return std::pow(c, exponent); }, texels);
         EXPECT_LT(relative_error(baked.cube, level, texels), 0.01) << "level " << level;
     }
 }
@@ -200,7 +203,8 @@ TEST(Bake, CmgensMapping)
     BakeOptions options;
     options.size = 16;
     options.mapping = RoughnessMapping::cmgen;
-    const BakedSpecular baked = bake_specular(testing::panorama_of(64, [](const Vec&) { return 1.0; }), options);
+    const BakedSpecular baked =
+        bake_specular(testing::panorama_of(64, [](const Vec&) { return 1.0; }), options);
     ASSERT_EQ(baked.levels.size(), 5u);
     for (std::size_t i = 0; i < 5; ++i) {
         // Filament: level = (levels - 1) r (2 - r).
@@ -246,7 +250,8 @@ TEST(Bake, TurnsWithThePanorama)
                 for (int x = 0; x < size; ++x)
                     for (int k = 0; k < 3; ++k, ++count) {
                         const double was = static_cast<double>(a.cube.pixel(level, from[side], x, y)[k]);
-                        square += std::pow(static_cast<double>(b.cube.pixel(level, to[side], x, y)[k]) - was, 2);
+                        square +=
+                            std::pow(static_cast<double>(b.cube.pixel(level, to[side], x, y)[k]) - was, 2);
                         mean += was;
                     }
         EXPECT_LT(std::sqrt(square / count), 0.004 * mean / count) << "level " << level;
@@ -295,9 +300,15 @@ TEST(Bake, CoefficientsOfKnownLight)
     for (const Vec& n : {normalized({0.3, 0.8, -0.5}), normalized({-0.9, -0.1, 0.4}), Vec{0.0, 0.0, 1.0}}) {
         // Real spherical harmonics with y up, from their definition. [Ramamoorthi and Hanrahan 2001, eq. 3]
         const double x = n[0], y = n[1], z = n[2];
-        const double Y[9] = {0.282095,         0.488603 * y,     0.488603 * z,
-                             0.488603 * x,     1.092548 * x * y, 1.092548 * y * z,
-                             0.315392 * (3.0 * z * z - 1.0),     1.092548 * x * z, 0.546274 * (x * x - y * y)};
+        const double Y[9] = {0.282095,
+                             0.488603 * y,
+                             0.488603 * z,
+                             0.488603 * x,
+                             1.092548 * x * y,
+                             1.092548 * y * z,
+                             0.315392 * (3.0 * z * z - 1.0),
+                             1.092548 * x * z,
+                             0.546274 * (x * x - y * y)};
         for (std::size_t k = 0; k < 3; ++k) {
             double sum = 0.0;
             for (std::size_t i = 0; i < 9; ++i)

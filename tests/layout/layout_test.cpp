@@ -30,6 +30,7 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"reference", {"base", "image", "scene", "view", "trace", "environment", "equations", "shading"}},
     {"display", {"image", "equations", "wide"}},
     {"compare", {"base", "image", "equations"}},
+    {"api", {"base", "image", "environment", "lambent"}}, // lambent/bake.h
     {"apps",
      {"base", "image", "scene", "view", "trace", "environment", "draw", "reference", "display", "compare",
       "kitchen"}},
@@ -83,6 +84,24 @@ TEST(Layout, TheReferenceTakesNothingFromTheBake)
             EXPECT_EQ(path, fs::path("environment/albedo_table.h")) << file;
         }
     });
+}
+
+// What is installed must not lead to what is not.
+TEST(Layout, PublicHeadersIncludeOnlyTheStandardLibrary)
+{
+    int headers = 0;
+    const std::regex include("^\\s*#\\s*include\\s*(.*)$"), standard("<[a-z_]+>");
+    for (const fs::directory_entry& entry :
+         fs::directory_iterator(fs::path(LAMBENT_SOURCE_FOLDER) / "../include/lambent")) {
+        ++headers;
+        std::ifstream file(entry.path());
+        std::smatch match;
+        for (std::string line; std::getline(file, line);)
+            if (std::regex_search(line, match, include)) {
+                EXPECT_TRUE(std::regex_match(match[1].str(), standard)) << entry.path() << ": " << line;
+            }
+    }
+    EXPECT_GT(headers, 0);
 }
 
 TEST(Layout, EveryFolderIsThere)

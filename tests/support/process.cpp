@@ -26,7 +26,7 @@ std::string contents(const std::string& path)
 }
 
 struct Streams {
-    std::string out, err;
+    std::string out, err, cache;
 };
 
 [[noreturn]] void become(std::string program, const std::vector<std::string>& words, const Streams& streams)
@@ -39,6 +39,7 @@ struct Streams {
     for (const std::string& word : words)
         arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
+    ::setenv("XDG_CACHE_HOME", streams.cache.c_str(), 1);
     ::execvp(program.c_str(), arguments.data());
     ::_exit(127);
 }
@@ -66,10 +67,16 @@ std::vector<std::string> Folder::names() const
     return names;
 }
 
+std::string cache_home()
+{
+    static const Folder folder;
+    return folder.path("cache");
+}
+
 Outcome run_program(const std::string& program, const std::vector<std::string>& words, double limit_seconds)
 {
     const Folder folder;
-    const Streams streams{folder.path("out"), folder.path("err")};
+    const Streams streams{folder.path("out"), folder.path("err"), cache_home()};
     const auto start = std::chrono::steady_clock::now();
     const auto elapsed = [start] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -18,6 +18,9 @@ struct Outcome {
 Outcome run_program(const std::string& program, const std::vector<std::string>& words,
                     double limit_seconds = 60.0);
 
+/// What programs run by this process take for the user's cache folder: never the real one.
+std::string cache_home();
+
 /// A folder of its own for each test, removed at its end.
 class Folder {
 public:

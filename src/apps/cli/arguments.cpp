@@ -55,7 +55,8 @@ void add_light(CLI::App& app, RenderArguments& arguments, Words& words)
         ->allow_extra_args(false);
     option(app, "--ambient-brightness", words.ambient, "B",
            "Factor on diffuse environment light (1; the report's is 2)");
-    option(app, "--ibl", words.ibl, "METHOD", "How specular environment light is found: sampled");
+    option(app, "--ibl", words.ibl, "METHOD",
+           "Specular environment light: sampled, or split-sum, 8 samples (sampled)");
     option(app, "--samples", words.samples, "N", "Samples of the specular lobe (40)");
     app.add_flag("--no-cache", words.no_cache, "Neither read nor write the environment cache");
 }
@@ -113,10 +114,10 @@ void apply_light(const Words& words, RenderArguments& arguments)
         settings.lights.push_back(parse_light(light, "--light"));
     if (!words.ambient.empty())
         settings.ambient_brightness = number_in(words.ambient, "--ambient-brightness", 0.0, 1.0e6);
-    if (!words.ibl.empty())
-        choose<bool>(words.ibl, "--ibl", {{"sampled", true}});
     if (!words.samples.empty())
         settings.samples = whole_in(words.samples, "--samples", 1, 65536);
+    if (!words.ibl.empty() && choose<bool>(words.ibl, "--ibl", {{"sampled", false}, {"split-sum", true}}))
+        settings.samples = draw::split_sum_samples;
 }
 
 void apply_material(const Words& words, RenderArguments& arguments)
@@ -182,6 +183,7 @@ void add_output(CLI::App& app, std::string& output, const std::string& help)
 RenderArguments finished(const Words& words, RenderArguments arguments)
 {
     arguments.common = common_options(words);
+    arguments.cache = !words.no_cache;
     apply_view(words, arguments);
     apply_light(words, arguments);
     apply_material(words, arguments);

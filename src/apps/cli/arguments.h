@@ -28,6 +28,7 @@ struct RenderArguments {
     CommonOptions common;
     std::string scene;
     std::string environment = "kitchen";
+    bool cache = true; ///< of environments
     std::string output;
     std::string layers; ///< folder; empty: none
     draw::Settings settings;

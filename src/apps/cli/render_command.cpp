@@ -1,6 +1,7 @@
 #include "apps/cli/commands.h"
 #include "apps/cli/console.h"
 #include "apps/cli/layer_files.h"
+#include "apps/cli/load_environment.h"
 #include "apps/cli/picture_file.h"
 #include "apps/cli/picture_setup.h"
 #include "apps/cli/stats.h"
@@ -8,7 +9,6 @@
 #include "apps/cli/threads.h"
 #include "base/text.h"
 #include "draw/cpu/cpu_renderer.h"
-#include "environment/environment.h"
 
 #include <nlohmann/json.hpp>
 
@@ -16,15 +16,6 @@
 
 namespace lambent::cli {
 namespace {
-
-std::optional<environment::Environment> load_environment(const std::string& name, Warnings& warnings)
-{
-    if (name == "none")
-        return std::nullopt;
-    if (environment::is_builtin(name))
-        return environment::make_environment(environment::make_panorama(environment::make_builtin(name)));
-    return environment::make_environment(environment::load_panorama(name, warnings));
-}
 
 nlohmann::ordered_json describe(const RenderArguments& arguments, const scene::Scene& scene,
                                 const draw::Renderer& renderer)
@@ -65,8 +56,8 @@ void run(const RenderArguments& arguments)
     Warnings warnings;
     const scene::Scene scene = load_scene(arguments, warnings);
     watch.lap("scene");
-    const std::optional<environment::Environment> environment =
-        load_environment(arguments.environment, warnings);
+    const LoadedEnvironment loaded = load_environment(arguments.environment, arguments.cache);
+    warnings.insert(warnings.end(), loaded.warnings.begin(), loaded.warnings.end());
     watch.lap("environment");
     console.warn(warnings);
     console.remark(text(arguments.scene, ": ", scene::triangle_count(scene), " triangles, ",
@@ -76,7 +67,7 @@ void run(const RenderArguments& arguments)
     settings.camera = choose_camera(arguments, scene);
     settings.layers = !arguments.layers.empty();
     const std::unique_ptr<draw::Renderer> renderer = draw::make_cpu_renderer(scene);
-    const draw::Frame frame = renderer->draw(environment ? &*environment : nullptr, settings,
+    const draw::Frame frame = renderer->draw(loaded.environment ? &*loaded.environment : nullptr, settings,
                                              [&](float done) { console.progress(done); });
     console.end_progress();
     watch.lap("draw");
@@ -85,6 +76,7 @@ void run(const RenderArguments& arguments)
     console.remark(text("wrote ", arguments.output));
     if (arguments.common.stats_json) {
         nlohmann::ordered_json stats = describe(arguments, scene, *renderer);
+        stats["environment_cached"] = loaded.cached;
         add_cost(watch, stats);
         print(stats);
     }
