@@ -74,8 +74,8 @@ void around(const Place& at, const Visit& visit)
     visit(left + 1, top + 1, u * v);
 }
 
-// Bilinear. Beyond an edge the face's plane goes on, and what would be its texel there is looked up, bilinearly too,
-// among those of the neighbouring face.
+// Bilinear. Beyond an edge the face's plane goes on, and what would be its texel there is looked up, bilinearly
+// too, among those of the neighbouring face.
 void look_up(const Level& level, const Place& at, float* rgb)
 {
     around(at, [&](int x, int y, double weight) {

@@ -210,6 +210,29 @@ TEST(Arguments, BackgroundsAndColours)
     EXPECT_EQ(render({"--background", "env"}).settings.background.kind, draw::Background::Kind::environment);
 }
 
+TEST(Arguments, ABakesDefaultsAreTheContracts)
+{
+    const BakeArguments a = std::get<BakeArguments>(parse({"bake", "x.hdr", "-o", "folder"}));
+    EXPECT_EQ(a.environment, "x.hdr");
+    EXPECT_EQ(a.output, "folder");
+    EXPECT_FALSE(a.one_file);
+    EXPECT_EQ(a.options.size, 256);
+    EXPECT_EQ(a.options.lobe, environment::BakeLobe::ggx);
+    EXPECT_EQ(a.options.mapping, environment::RoughnessMapping::linear);
+    EXPECT_EQ(a.options.error, 0.01);
+    EXPECT_EQ(a.format, BakeFormat::ktx2);
+    EXPECT_EQ(a.texels, image::TexelFormat::half4);
+    EXPECT_FALSE(a.zstd || a.mirrored);
+    EXPECT_EQ(BakeArguments::usual_table_size, 128);
+    const BakeArguments b = std::get<BakeArguments>(
+        parse({"bake", "sky", "-o", "a.DDS", "--irradiance", "sh", "--lut", "64", "--samples", "256"}));
+    EXPECT_TRUE(b.one_file);
+    EXPECT_EQ(b.format, BakeFormat::dds);
+    EXPECT_EQ(b.irradiance_size, 0);
+    EXPECT_EQ(b.table_size, 64);
+    EXPECT_NEAR(b.options.error, 0.02, 1e-12);
+}
+
 TEST(Arguments, NonsenseIsRefusedInOneLine)
 {
     EXPECT_NE(refusal({"frobnicate"}).find("frobnicate"), std::string::npos);

@@ -1,4 +1,4 @@
-// `lambent bake` as its users meet it: what its files hold, how it is refused, and what it leaves when it fails.
+// `lambent bake` as its users meet it: what its files hold, how it is refused, what it leaves when it fails.
 #include "tests/cli/lambent.h"
 #include "tests/image/cube_reader.h"
 
@@ -75,7 +75,7 @@ nlohmann::json json_in(const std::string& path)
     return nlohmann::json::parse(bytes.begin(), bytes.end());
 }
 
-// Radiance 1 + d / 2, red by x, green by y, blue by z: its irradiance and its coefficients are known in closed form.
+// Radiance 1 + d / 2, red by x, green by y, blue by z: its coefficients are known in closed form.
 std::string write_gradient(const Folder& folder)
 {
     constexpr int width = 128, height = 64;
@@ -482,6 +482,21 @@ TEST(Bake, BrokenTexelsAreWarnedOf)
     const CubeFile cube = read_cube(folder.path("a.ktx2"));
     for (const test::Face& face : cube.levels[0])
         expect_near(mean(face), {1, 1, 1}, 1e-2);
+}
+
+TEST(Bake, LightThatAFormatDoesNotHoldIsWarnedOf)
+{
+    const Folder folder;
+    image::RadianceImage light{8, 4, 3, std::vector<float>(96, 1e5f)};
+    image::write_radiance(light, folder.path("sun.exr"));
+    const Outcome cut = bake(folder.path("sun.exr"), folder.path("a.ktx2"), {"--size", "2"});
+    EXPECT_EQ(cut.code, 0);
+    EXPECT_EQ(cut.error.rfind("lambent: warning: 30 texels are brighter than 65504", 0), 0u) << cut.error;
+    EXPECT_EQ(std::count(cut.error.begin(), cut.error.end(), '\n'), 1) << cut.error;
+    EXPECT_EQ(read_cube(folder.path("a.ktx2")).levels[1][0][0][0], 65504.0);
+    baked(folder.path("sun.exr"), folder.path("a.ktx2"), {"--size", "2", "--texels", "float"});
+    EXPECT_NEAR(read_cube(folder.path("a.ktx2")).levels[1][0][0][0], 1e5, 200.0);
+    baked(folder.path("sun.exr"), folder.path("o"), {"--size", "2", "--format", "exr", "--lut", "2"});
 }
 
 Outcome run_by(const std::string& program, std::vector<std::string> first,

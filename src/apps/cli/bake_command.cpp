@@ -67,9 +67,14 @@ Baked bake(const environment::Panorama& panorama, const BakeArguments& arguments
     return baked;
 }
 
-Warnings warnings_of(const BakeArguments& arguments, const environment::BakedSpecular& specular)
+Warnings warnings_of(const BakeArguments& arguments, const Baked& baked)
 {
+    const environment::BakedSpecular& specular = baked.specular;
     Warnings warnings;
+    if (const CutLight cut = cut_light(baked, arguments); cut.texels > 0)
+        warnings.push_back(
+            text(cut.texels, " texels are brighter than ", cut.most,
+                 " and are cut to it, the most their format holds; --texels float keeps them"));
     if (arguments.one_file && arguments.irradiance_size.value_or(0) > 0)
         warnings.push_back(
             "--irradiance: one file has the coefficients alone; -o FOLDER writes the cube too");
@@ -126,7 +131,7 @@ void bake_to_files(const BakeArguments& arguments, const Interrupt& interrupt, C
         console.progress(static_cast<float>(done));
     });
     console.end_progress();
-    console.warn(warnings_of(arguments, baked.specular));
+    console.warn(warnings_of(arguments, baked));
     watch.lap("bake");
     const std::vector<std::string> files = write_baked(baked, arguments, stop_if_asked);
     watch.lap("write");

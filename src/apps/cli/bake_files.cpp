@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -71,6 +72,11 @@ const char* extension(BakeFormat format)
     return ".ktx2";
 }
 
+bool is_picture(BakeFormat format)
+{
+    return format == BakeFormat::exr || format == BakeFormat::hdr;
+}
+
 // Writes one file for a renderer.
 void write_cube(const image::CubeMap& map, const BakeArguments& arguments, const Metadata& metadata,
                 const std::filesystem::path& path)
@@ -104,13 +110,13 @@ public:
     {
         const image::CubeMap turned = arguments_.mirrored ? mirrored(map) : image::CubeMap{};
         const image::CubeMap& written = arguments_.mirrored ? turned : map;
-        const bool pictures = arguments_.format == BakeFormat::exr || arguments_.format == BakeFormat::hdr;
-        if (!pictures) {
+        if (!is_picture(arguments_.format)) {
             const std::string file = name + extension(arguments_.format);
             write_cube(written, arguments_, metadata, path(file));
             return {{file}};
         }
         std::vector<std::vector<std::string>> files;
+        files.reserve(static_cast<std::size_t>(map.levels));
         for (int level = 0; level < map.levels; ++level)
             files.push_back(level_pictures(written, level, map.levels > 1 ? text(name, "_", level) : name));
         return files;
@@ -120,7 +126,7 @@ public:
     std::string picture(const image::RadianceImage& image, const std::string& name)
     {
         const BakeFormat format = arguments_.format == BakeFormat::hdr ? BakeFormat::hdr : BakeFormat::exr;
-        const std::string file = name + extension(format);
+        std::string file = name + extension(format);
         image::write_radiance(image, path(file));
         return file;
     }
@@ -142,6 +148,7 @@ private:
         if (arguments_.layout == CubeLayout::equirectangular)
             return {picture(equirectangular_image(map, level, 2 * map.face_size(level)), name)};
         std::vector<std::string> files;
+        files.reserve(image::face_names.size());
         for (int face = 0; face < 6; ++face)
             files.push_back(picture(face_image(map, level, face),
                                     text(name, "_", image::face_names[static_cast<std::size_t>(face)])));
@@ -182,9 +189,8 @@ Json describe_input(const BakeArguments& arguments)
     Json json = {{"generator", text("lambent ", version)},
                  {"environment", arguments.environment},
                  {"env_rotation", arguments.rotation}};
-    const bool pictures = arguments.format == BakeFormat::exr || arguments.format == BakeFormat::hdr;
     json["up"] = "+Y";
-    json["layout"] = pictures ? name_of(arguments.layout) : "cube";
+    json["layout"] = is_picture(arguments.format) ? name_of(arguments.layout) : "cube";
     json["faces"] = "+X -X +Y -Y +Z -Z";
     json["mirrored"] = arguments.mirrored;
     return json;
@@ -253,6 +259,23 @@ Json describe_levels(const environment::BakedSpecular& specular)
                           // Sums of threads differ in their last digits.
                           {"error", std::round(specular.levels[i].error * 1e6) / 1e6}});
     return levels;
+}
+
+CutLight cut_light(const Baked& baked, const BakeArguments& arguments)
+{
+    if (is_picture(arguments.format) || arguments.texels == image::TexelFormat::float4)
+        return {};
+    CutLight cut{0, arguments.texels == image::TexelFormat::half4 ? 65504.0 : 65408.0};
+    const auto count = [&](const image::CubeMap& map) {
+        for (std::size_t i = 0; i < map.values.size(); i += 3)
+            if (std::max({map.values[i], map.values[i + 1], map.values[i + 2]}) >
+                static_cast<float>(cut.most))
+                ++cut.texels;
+    };
+    count(baked.specular.cube);
+    if (baked.irradiance)
+        count(*baked.irradiance);
+    return cut;
 }
 
 void check_bake_output(const BakeArguments& arguments)

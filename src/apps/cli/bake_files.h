@@ -6,6 +6,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -24,13 +25,20 @@ struct Baked {
 /// Size, roughness and error of each level.
 nlohmann::ordered_json describe_levels(const environment::BakedSpecular& specular);
 
-/// Throws Error(cannot_write) for what is plain before the work. Makes nothing yet, so that nothing is left of a bake
-/// that fails.
+/// Texels that the files will cut to the brightest light that their format holds.
+struct CutLight {
+    std::ptrdiff_t texels = 0;
+    double most = 0.0; ///< what the format holds
+};
+CutLight cut_light(const Baked& baked, const BakeArguments& arguments);
+
+/// Throws Error(cannot_write) for what is plain before the work. Makes nothing yet, so that nothing is left of
+/// a bake that fails.
 void check_bake_output(const BakeArguments& arguments);
 
-/// Writes everything and returns the files' names. A folder gets its files when all of them are complete; bake.json
-/// comes last. `before_file` is called before each; what it throws, as any other failure, leaves nothing behind.
-/// Throws Error(cannot_write).
+/// Writes everything and returns the files' names. A folder gets its files when all of them are complete;
+/// bake.json comes last. `before_file` is called before each; what it throws, as any other failure, leaves
+/// nothing behind. Throws Error(cannot_write).
 std::vector<std::string> write_baked(const Baked& baked, const BakeArguments& arguments,
                                      const std::function<void()>& before_file);
 

@@ -7,11 +7,11 @@
 
 namespace lambent::cli {
 
-/// Throws the Error(cannot_write) that a NewFolder of this name would, as far as can be told, and makes nothing.
+/// Throws the Error(cannot_write) that a NewFolder of this name would, as far as can be told. Makes nothing.
 void check_can_make_folder(const std::filesystem::path& folder);
 
-/// Files for a folder that may be there already, collected in a hidden folder inside of it. Unless they are all put
-/// in place, nothing of them is left, nor of the folders made for them.
+/// Files for a folder that may be there already, collected in a hidden folder inside of it. Unless they are all
+/// put in place, nothing of them is left, nor of the folders made for them.
 class NewFolder {
 public:
     /// Makes what is missing. Throws Error(cannot_write).
