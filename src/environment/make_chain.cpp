@@ -202,7 +202,7 @@ CubeChain resampled(const Panorama& panorama, int log2_size)
     CubeChain chain;
     chain.allocate(log2_size, 1);
     chain.scale = chain_scale(static_cast<float>(brightest));
-    resample({&panorama, brightest_of_all, texel_points(panorama.width, chain.face_size(0), 0.75)},
+    resample({&panorama, brightest_of_all, texel_points(panorama.width, chain.face_size(0), 1.0)},
              all_of(chain.face_size(0)), chain);
     return chain;
 }

@@ -12,7 +12,10 @@ namespace {
 constexpr double horizon_extent = 0.05;
 
 // In a lobe's middle cells are finer than this part of its alpha, whatever their distance.
-constexpr double core = 0.4;
+constexpr double core = 0.65;
+
+// A tree's finest cells, for the bright ones.
+constexpr double finest = 0.4;
 
 // Cells with more than this share of all light are finer still, by so many times.
 constexpr double much_light = 0.002, much_light_times = 4.0;
@@ -56,7 +59,7 @@ PrefilterLobe phong_lobe(double exponent)
 
 double finest_extent(const PrefilterLobe& lobe, double fineness)
 {
-    return core * lobe.alpha / fineness;
+    return finest * lobe.alpha / fineness;
 }
 
 // All directions of a patch or a tile.
