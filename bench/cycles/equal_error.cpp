@@ -162,6 +162,7 @@ void print_ratios(const Record& ours, const Record& theirs, std::size_t k)
 std::vector<Order> orders_of(int round)
 {
     std::vector<Order> orders;
+    orders.reserve(std::size(sample_counts));
     for (const int count : sample_counts)
         orders.push_back({count, static_cast<std::uint32_t>(1000 + round)});
     return orders;

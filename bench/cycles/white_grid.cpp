@@ -63,6 +63,7 @@ std::vector<Column> inner_pixels(const scene::Scene& grid, PictureSize size)
         column.spheres.push_back(std::move(seen[i]));
     }
     std::vector<Column> result;
+    result.reserve(columns.size());
     for (auto& [roughness, column] : columns)
         result.push_back(std::move(column));
     return result;

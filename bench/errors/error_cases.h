@@ -21,6 +21,6 @@ struct CaseErrors {
 };
 
 /// Draws with 40 and 1024 samples and traces the two references, each for `seconds`, at width x (9/16 width).
-CaseErrors measure(const ErrorCase& error_case, int width, double seconds);
+CaseErrors measure(const ErrorCase& c, int width, double seconds);
 
 } // namespace lambent::bench

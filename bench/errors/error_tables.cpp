@@ -17,7 +17,7 @@
 namespace {
 
 using namespace lambent;
-using bench::CaseErrors, bench::ErrorCase, bench::RegionError;
+using bench::CaseErrors, bench::RegionError;
 
 struct Request {
     std::string output;

@@ -259,17 +259,21 @@ vec3 reflectance(const Gains& gains, double VH)
     return (1.0 - grazing) * gains.plain + grazing * gains.grazing;
 }
 
-// Light by lobe samples [first, first + step, ...): `count` of them.
-vec3 by_lobe(const Light& light, const in_double::Metallic& m, const Met& met, std::uint64_t first,
-             std::uint64_t step, int count)
+// Samples first, first + step, ...
+struct Series {
+    std::uint64_t first, step;
+    int count;
+};
+
+vec3 by_lobe(const Light& light, const in_double::Metallic& m, const Met& met, const Series& series)
 {
     const in_double::mat3 frame = in_double::orthonormal_frame(met.normal);
     const vec3 view = in_double::in_frame(frame, met.view);
     const vec3 stretched = in_double::stretched_view(view, m.alpha);
     const Gains gains = gains_of(m, albedo_at(view.z, m.alpha));
     vec3 sum(0.0);
-    for (int i = 0; i < count; ++i) {
-        const vec2 xi = spread_point(first + static_cast<std::uint64_t>(i) * step);
+    for (int i = 0; i < series.count; ++i) {
+        const vec2 xi = spread_point(series.first + static_cast<std::uint64_t>(i) * series.step);
         const double phi = 2.0 * pi * xi.y;
         const vec3 h =
             in_double::sample_visible_ggx(stretched, m.alpha, {xi.x, std::cos(phi), std::sin(phi)}).normal;
@@ -280,7 +284,7 @@ vec3 by_lobe(const Light& light, const in_double::Metallic& m, const Met& met, s
         sum += in_double::shadowing_ggx(L.z, view.z, m.alpha) * reflectance(gains, std::min(VH, 1.0)) *
                light.bilinear(normalize(frame * L));
     }
-    return (1.0 / count) * sum;
+    return (1.0 / series.count) * sum;
 }
 
 vec3 by_peaks(const std::vector<Light::Peak>& peaks, const in_double::Metallic& m, const Met& met)
@@ -370,9 +374,9 @@ void fill(const Sources& sources, const scene::Material& material, SphereRays& r
         const auto met = rays.meet(pixel.x + (column + 0.5) / across, pixel.y + (row + 0.5) / across);
         if (!met)
             continue; // a crack between triangles
-        specular +=
-            by_lobe(sharp ? sources.whole : sources.cut, m, *met, start + static_cast<std::uint64_t>(j),
-                    static_cast<std::uint64_t>(across * across), lobe_samples);
+        specular += by_lobe(sharp ? sources.whole : sources.cut, m, *met,
+                            {start + static_cast<std::uint64_t>(j),
+                             static_cast<std::uint64_t>(across * across), lobe_samples});
         if (!sharp && (narrow || (column % 2 == row % 2 && row % 2 == 0))) {
             peaks += by_peaks(narrow ? sources.fine : sources.coarse, m, *met);
             ++peak_count;
