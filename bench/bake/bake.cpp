@@ -29,7 +29,8 @@ image::RadianceImage sunny(int width)
         for (int x = 0; x < width; ++x) {
             const double theta = (y + 0.5) / image.height * std::numbers::pi;
             const double phi = ((x + 0.5) / width - 0.5) * 2.0 * std::numbers::pi;
-            const double d[3] = {std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi)};
+            const double d[3] = {std::sin(theta) * std::cos(phi), std::cos(theta),
+                                 std::sin(theta) * std::sin(phi)};
             const bool in_sun = d[0] * sun[0] + d[1] * sun[1] + d[2] * sun[2] > std::cos(0.00465);
             for (int k = 0; k < 3; ++k)
                 image.pixel(x, y)[k] = static_cast<float>(in_sun ? 50000.0 : 0.6 + 0.4 * d[1] + 0.1 * k);
@@ -46,14 +47,17 @@ void against_all_texels(const environment::Panorama& panorama)
     }
     environment::BakedSpecular baked;
     const bench::Comparison c = bench::side_by_side(
-        "the cube, against 64 sums over all texels", 7, [&] { baked = environment::bake_specular(panorama, {}); },
+        "the cube, against 64 sums over all texels", 7,
+        [&] { baked = environment::bake_specular(panorama, {}); },
         [&] { environment::sum_texels(panorama, sums); });
     const double rough = static_cast<double>(baked.cube.values.size() - baked.cube.level_start(1)) / 3.0;
-    std::printf("  so %.0f times faster than a sum for each of %.0f texels, in double\n", rough / 64.0 / c.ratio, rough);
+    std::printf("  so %.0f times faster than a sum for each of %.0f texels, in double\n",
+                rough / 64.0 / c.ratio, rough);
 }
 
 // Texels of a level: anywhere, or within 15 degrees of its brightest.
-std::vector<environment::TexelPlace> places(const image::CubeMap& cube, int level, bool near, std::size_t count)
+std::vector<environment::TexelPlace> places(const image::CubeMap& cube, int level, bool near,
+                                            std::size_t count)
 {
     const int size = cube.face_size(level);
     environment::TexelPlace brightest{0, 0, 0, size};
@@ -78,7 +82,8 @@ std::vector<environment::TexelPlace> places(const image::CubeMap& cube, int leve
     return all;
 }
 
-double error_of(const environment::Panorama& panorama, const environment::BakedSpecular& baked, int level, bool near)
+double error_of(const environment::Panorama& panorama, const environment::BakedSpecular& baked, int level,
+                bool near)
 {
     const double roughness = baked.levels[static_cast<std::size_t>(level)].perceptual_roughness;
     const std::vector<environment::TexelPlace> at = places(baked.cube, level, near, near ? 100 : 300);
@@ -91,7 +96,8 @@ double error_of(const environment::Panorama& panorama, const environment::BakedS
     double square = 0.0, mean = 0.0;
     for (std::size_t i = 0; i < at.size(); ++i)
         for (std::size_t k = 0; k < 3; ++k) {
-            const double found = static_cast<double>(baked.cube.pixel(level, at[i].face, at[i].x, at[i].y)[k]);
+            const double found =
+                static_cast<double>(baked.cube.pixel(level, at[i].face, at[i].x, at[i].y)[k]);
             square += (found - sums[i].rgb[k]) * (found - sums[i].rgb[k]);
             mean += sums[i].rgb[k];
         }
@@ -108,7 +114,8 @@ void print_errors(const std::string& name)
     std::printf("%s, errors in %% by roughness:", name.c_str());
     for (int level = 1; level < baked.cube.levels; ++level)
         std::printf(" %.3f: %.2f/%.2f", baked.levels[static_cast<std::size_t>(level)].perceptual_roughness,
-                    100.0 * error_of(panorama, baked, level, false), 100.0 * error_of(panorama, baked, level, true));
+                    100.0 * error_of(panorama, baked, level, false),
+                    100.0 * error_of(panorama, baked, level, true));
     std::puts("");
 }
 
@@ -129,8 +136,8 @@ void as_a_command(const std::string& panorama, const testing::Folder& folder)
     const double ours =
         median_of(LAMBENT_PROGRAM, {"bake", panorama, "-o", folder.path("o.ktx2"), "--quiet"});
     std::printf("%s: lambent bake %.3f s", panorama.c_str(), ours);
-    const double rival = median_of("cmgen", {"--quiet", "--size=256", "--format=ktx",
-                                             "--ibl-ld=" + folder.path("cmgen"), panorama});
+    const double rival = median_of(
+        "cmgen", {"--quiet", "--size=256", "--format=ktx", "--ibl-ld=" + folder.path("cmgen"), panorama});
     if (rival > 0.0)
         std::printf("; cmgen %.3f s, ratio %.3f", rival, ours / rival);
     std::puts("");

@@ -23,6 +23,12 @@ constexpr double much_light = 0.002, much_light_times = 4.0;
 // Cells with more than so many times the mean radiance are summed apart.
 constexpr double bright_times = 2.0;
 
+// Of all channels: what counts where cells are compared.
+float light_of(const LightCell& cell)
+{
+    return cell.r + cell.g + cell.b;
+}
+
 } // namespace
 
 double PrefilterLobe::weight(double cosine) const
@@ -110,7 +116,7 @@ void Prefilter::Walk::take(const LightCell& cell, int depth, int column, int row
     const bool own = cell.area > 0.0f;
     const LightCell& area = own ? cell : prefilter_.tree_.area(static_cast<std::size_t>(depth), column, row);
     std::vector<LightCell>& cells =
-        cell.g > prefilter_.bright_radiance_ * area.area ? scratch_.bright : scratch_.dim;
+        light_of(cell) > prefilter_.bright_radiance_ * area.area ? scratch_.bright : scratch_.dim;
     cells.push_back(cell);
     if (!own)
         cells.push_back(area);
@@ -125,7 +131,7 @@ void Prefilter::Walk::visit(int depth, int column, int row)
     const float reach = cap_.radius + bounds.reach;
     if (beyond(square, horizon + reach))
         return;
-    const float far = cell.g > prefilter_.much_light_ ? bounds.far_bright : bounds.far;
+    const float far = light_of(cell) > prefilter_.much_light_ ? bounds.far_bright : bounds.far;
     const bool at_horizon = !bounds.fine_at_horizon && beyond(square, horizon - reach);
     if (depth == 0 || (!at_horizon && beyond(square, far < 0.0f ? -1.0f : far + cap_.radius))) {
         take(cell, depth, column, row);
@@ -152,7 +158,7 @@ Prefilter::Prefilter(const LightTree& tree, const PrefilterLobe& lobe, double fi
     const LightCellLevel& top = tree.levels().back();
     for (int row = 0; row < top.height; ++row)
         for (int column = 0; column < top.width; ++column)
-            light += static_cast<double>(tree.cell(tree.levels().size() - 1, column, row).g);
+            light += static_cast<double>(light_of(tree.cell(tree.levels().size() - 1, column, row)));
     much_light_ = static_cast<float>(much_light * light);
     bright_radiance_ = static_cast<float>(bright_times * light / (4.0 * std::numbers::pi));
     const double core2 = core * core * lobe.alpha * lobe.alpha, at_horizon = horizon_extent / lobe.alpha;

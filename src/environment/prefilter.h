@@ -44,7 +44,7 @@ struct PrefilterPatch {
 double finest_extent(const PrefilterLobe& lobe, double fineness);
 
 /// The mean over one lobe of the light in a tree. `fineness` is how many times a cell is smaller than its distance or
-/// about half the lobe: 1 gives errors of some tenths of a percent, which fall with its fourth power.
+/// about half the lobe: 0.7 gives errors of some tenths of a percent, which fall with its fourth power.
 class Prefilter {
 public:
     Prefilter(const LightTree& tree, const PrefilterLobe& lobe, double fineness);
