@@ -26,6 +26,6 @@ struct KitchenPicture {
 /// Sky light (with the lamps) and sun light are traced one after the other and added: drawn together, nine of ten
 /// samples would go to the sun, which few points see. Each takes half of the time. `report` is called now and then with
 /// what share is done.
-KitchenPicture trace_kitchen(const KitchenTrace& settings, const std::function<void(double)>& report = {});
+KitchenPicture trace_kitchen(const KitchenTrace& trace, const std::function<void(double)>& report = {});
 
 } // namespace lambent
