@@ -83,6 +83,7 @@ void fill_rough_levels(const Panorama& panorama, const BakeOptions& options, Bak
     double done = 0.0;
     for (int round = 0; round < most_rounds && !left.empty(); ++round, fineness *= 1.6) {
         std::vector<PrefilteredFaces> faces;
+        faces.reserve(left.size());
         for (const CheckedLevel& level : left)
             faces.push_back({baked.cube, level.level, Prefilter(tree, level.lobe, fineness)});
         prefilter_faces(faces, [&](double share) {
@@ -101,29 +102,27 @@ void fill_rough_levels(const Panorama& panorama, const BakeOptions& options, Bak
 
 } // namespace
 
-BakedSpecular bake_specular(const Panorama& given, const BakeOptions& options,
+BakedSpecular bake_specular(const Panorama& panorama, const BakeOptions& options,
                             const std::function<void(double)>& report)
 {
     check(options);
-    const Enlarged enlarged(given, 1024, 512);
-    const Panorama& panorama = enlarged.panorama;
+    const Enlarged large(panorama, 1024, 512);
     const int levels = image::full_levels(options.size);
     BakedSpecular baked{image::make_cube_map(options.size, levels), {}};
     for (int level = 0; level < levels; ++level)
         baked.levels.push_back({roughness_of(options, level, levels), 0.0});
-    fill_sharp(panorama, baked.cube);
-    fill_rough_levels(panorama, options, baked, report);
+    fill_sharp(large.panorama, baked.cube);
+    fill_rough_levels(large.panorama, options, baked, report);
     return baked;
 }
 
-image::CubeMap bake_irradiance(const Panorama& given, int size)
+image::CubeMap bake_irradiance(const Panorama& panorama, int size)
 {
     if (size < 1 || size > 4096)
         throw Error(Failure::usage, text("irradiance faces of ", size, " texels: 1 to 4096 are possible"));
-    const Enlarged enlarged(given, 64, 32);
-    const Panorama& panorama = enlarged.panorama;
+    const Enlarged large(panorama, 64, 32);
     image::CubeMap cube = image::make_cube_map(size, 1);
-    const LightTree tree(panorama, irradiance_extent);
+    const LightTree tree(large.panorama, irradiance_extent);
     prefilter_faces({{cube, 0, Prefilter(tree, phong_lobe(1.0), irradiance_fineness)}});
     for (float& value : cube.values)
         value *= std::numbers::pi_v<float>;

@@ -30,6 +30,6 @@ constexpr float sky_nits_per_unit = 15000.0f;
 
 /// An equirectangular picture, RGB, oriented as Panorama. Throws Error(usage) for an unknown name or an option outside
 /// its range. Takes a few ten milliseconds at the default width on two cores.
-image::RadianceImage make_builtin(std::string_view name, const BuiltinOptions& options = {});
+image::RadianceImage make_builtin(std::string_view name, const BuiltinOptions& given = {});
 
 } // namespace lambent::environment

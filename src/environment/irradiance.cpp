@@ -163,6 +163,7 @@ std::array<Orders, 9> row_harmonics(double up, double ring)
 HarmonicLight project_to_harmonics(const Panorama& panorama)
 {
     std::vector<Orders> columns;
+    columns.reserve(static_cast<std::size_t>(panorama.width));
     for (int x = 0; x < panorama.width; ++x)
         columns.push_back(orders_at(((x + 0.5) / panorama.width - 0.5) * 2.0 * std::numbers::pi));
     const auto add = [](HarmonicLight a, const HarmonicLight& b) {

@@ -76,6 +76,7 @@ std::vector<Lamp> gathered(std::vector<Peak> peaks, double radius)
             break;
     }
     std::vector<Lamp> lamps;
+    lamps.reserve(all.size());
     for (const Gathered& one : all)
         lamps.push_back(one.lamp());
     return lamps;

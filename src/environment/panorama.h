@@ -45,7 +45,7 @@ image::RadianceImage load_unpacked_panorama(const std::filesystem::path& path, W
 Panorama make_panorama(const image::RadianceImage& image);
 
 /// The same picture at another size, texels by bilinear interpolation.
-Panorama resized(const Panorama& panorama, int width, int height);
+Panorama resized(const Panorama& from, int width, int height);
 
 /// Enlarged to that size if it is smaller: a sum over texels takes each for a point.
 Panorama at_least(const Panorama& panorama, int width, int height);

@@ -65,6 +65,7 @@ image::RadianceImage bake_split_sum_table(int size)
     image::RadianceImage table{size, size, 3, {}};
     table.values.resize(3 * count * count);
     std::vector<float> cosines;
+    cosines.reserve(count);
     for (int x = 0; x < size; ++x)
         cosines.push_back(static_cast<float>((x + 0.5) / size));
     const SplitSumPoints points = make_points();

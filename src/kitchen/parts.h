@@ -50,6 +50,6 @@ void add_herb(const Site& site);
 void add_tall_plant(const Site& site);
 void add_cutting_board(const Site& site);
 
-void add_clock(const Site& site); ///< on a wall
+void add_clock(const Site& wall); ///< on a wall
 
 } // namespace lambent::kitchen

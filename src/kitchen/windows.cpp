@@ -14,6 +14,7 @@ std::vector<glm::vec3> pane_middles()
         return glm::mix(o.low.x, o.high.x, (static_cast<float>(pane) + 0.5f) / static_cast<float>(o.panes));
     };
     const auto height = [](const Opening& o) { return 0.5f * (o.low.y + o.high.y); };
+    middles.reserve(static_cast<std::size_t>(window.panes + patio_door.panes));
     for (int i = 0; i < window.panes; ++i)
         middles.push_back({east, height(window), across(window, i)});
     for (int i = 0; i < patio_door.panes; ++i)

@@ -102,6 +102,7 @@ void EnvironmentLight::fill_cells()
             column_ends_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
         const double angle = 2.0 * pi / columns_ * (edge_cosine(row, rows_) - edge_cosine(row + 1, rows_));
         std::vector<double> sums;
+        sums.reserve(static_cast<std::size_t>(columns_));
         double sum = 0.0;
         for (int column = 0; column < columns_; ++column)
             sums.push_back(sum += cell_light(column, row));
