@@ -36,7 +36,7 @@ public:
     /// The same by place: finding that is most of the work.
     glm::dvec2 place_of(const glm::dvec3& direction) const;
     glm::dvec3 radiance_at(const glm::dvec2& uv) const;
-    double density_at(const glm::dvec2& place) const;
+    double density_at(const glm::dvec2& uv) const;
 
 private:
     static constexpr int block = 32; ///< columns

@@ -136,6 +136,7 @@ std::vector<int> Tracer::next_counts() const
         return std::vector<int>(tiles, last ? settings_.samples : whole);
     }
     std::vector<TileState> states;
+    states.reserve(tiles);
     for (int tile = 0; tile < film_.tile_count(); ++tile)
         states.push_back({film_.samples(tile), film_.tile_variance(tile)});
     return share_samples(states, next * static_cast<double>(tiles), Film::replicates);

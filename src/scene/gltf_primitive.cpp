@@ -44,7 +44,7 @@ std::optional<AccessorUse> attribute(const PrimitivePart& part, const char* name
 std::optional<AccessorUse> vertex_attribute(const Document& document, const PrimitivePart& part,
                                             const char* name, std::size_t vertices)
 {
-    const auto use = attribute(part, name);
+    auto use = attribute(part, name);
     if (use && accessor_count(document, *use) != vertices)
         document.fail(use->what, " has ", accessor_count(document, *use), " elements, POSITION has ",
                       vertices);

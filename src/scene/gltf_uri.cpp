@@ -104,7 +104,7 @@ std::filesystem::path relative_path(std::string_view uri, const std::string& whe
         refuse(where, ": \"", shown, "\" is not a relative path");
     if (decoded.empty() || decoded.find('\0') != std::string::npos)
         refuse(where, ": the uri is not a file name");
-    const std::filesystem::path path = decoded;
+    std::filesystem::path path = decoded;
     if (path.is_absolute())
         refuse(where, ": \"", shown, "\" is an absolute path; only files beside the glTF are read");
     int depth = 0;
