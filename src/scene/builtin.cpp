@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "equations/in_double.h"
+#include "scene/painted_textures.h"
 #include "scene/shapes.h"
 #include "scene/teapot.h"
 
@@ -17,7 +18,8 @@
 namespace lambent::scene {
 namespace {
 
-constexpr std::array<std::string_view, 6> names = {"sphere", "teapot", "plane", "report", "grid", "furnace"};
+constexpr std::array<std::string_view, 7> names = {"sphere",  "teapot", "plane",  "report",
+                                                   "painted", "grid",   "furnace"};
 
 constexpr float highest_exponent = 1e6f;
 
@@ -143,6 +145,31 @@ Scene make_report_scene(const BuiltinOptions& options)
     return scene;
 }
 
+// The report's paint, its diffuse colour from a texture.
+Material textured(const char* name, int image)
+{
+    Material material = report_material(name, {glm::vec3(1.0f), glm::vec3(0.2f), 100.0f});
+    material.phong.diffuse.reset();
+    material.base_color_texture.image = image;
+    return material;
+}
+
+Scene make_painted_scene(const BuiltinOptions& options)
+{
+    constexpr float radius = 0.5f;
+    Scene scene;
+    scene.images = {color_chart(), floor_tiles()};
+    add(scene, make_sphere(radius, scaled(256, options), scaled(128, options)), textured("chart", 0),
+        moved(0.0f, radius, 0.0f));
+    Material floor = textured("tiles", 1);
+    floor.double_sided = true;
+    constexpr float half_size = 1.0f, tile_size = 0.25f;
+    floor.base_color_texture.transform = glm::mat3(half_size / tile_size);
+    floor.base_color_texture.transform[2][2] = 1.0f;
+    add(scene, make_plane(half_size, scaled(4, options)), floor, glm::mat4(1.0f));
+    return scene;
+}
+
 // Spheres of one colour in the XY plane, centred: roughness grows to the right, metallic upwards.
 struct SphereGrid {
     glm::vec3 base_color{1.0f};
@@ -200,6 +227,8 @@ Scene make_plain(std::string_view name, const BuiltinOptions& options)
         return make_plane_scene(options);
     if (name == "report")
         return make_report_scene(options);
+    if (name == "painted")
+        return make_painted_scene(options);
     if (name == "grid")
         return make_sphere_grid({{1.0f, 0.766f, 0.336f}, 7, 7, scaled(38, options), scaled(20, options)});
     if (name == "furnace")

@@ -21,6 +21,7 @@ struct BuiltinOptions {
 ///  - teapot: Newell's, white glaze, 0.3 m long, standing on y = 0;
 ///  - plane: 2 x 2 m at y = 0, facing up, seen from both sides;
 ///  - report: sphere, teapot and plane with one directional and two point lights;
+///  - painted: a sphere of radius 0.5 m with a chart of colours, standing on a tiled plane;
 ///  - grid: 7 x 7 spheres of gold colour facing +Z, perceptual roughness 0 to 1 from left to right,
 ///    metallic 0 to 1 from bottom to top;
 ///  - furnace: 11 x 3 white spheres, roughness and metallic likewise.

@@ -29,7 +29,7 @@ TEST(Run, HelpAndVersion)
 {
     const Outcome help = lambent({"--help"});
     EXPECT_EQ(help.code, 0);
-    for (const char* command : {"render", "bake", "reference", "compare", "env", "info"})
+    for (const char* command : {"render", "bake", "reference", "compare", "report", "env", "info"})
         EXPECT_NE(help.output.find(command), std::string::npos);
     EXPECT_EQ(lambent({"--version"}).output.rfind("lambent ", 0), 0u);
     EXPECT_EQ(lambent({"render", "--help"}).code, 0);
@@ -39,7 +39,7 @@ TEST(Run, EveryBuiltInSceneIsDrawnInEveryFormat)
 {
     const Folder folder;
     int index = 0;
-    for (const char* scene : {"sphere", "teapot", "plane", "report", "grid", "furnace"}) {
+    for (const char* scene : {"sphere", "teapot", "plane", "report", "painted", "grid", "furnace"}) {
         const std::string path =
             folder.path(std::string(scene) +
                         std::vector{".png", ".jpg", ".exr", ".hdr"}[static_cast<std::size_t>(index++ % 4)]);
@@ -51,7 +51,7 @@ TEST(Run, EveryBuiltInSceneIsDrawnInEveryFormat)
         EXPECT_EQ(info.width, 96);
         EXPECT_EQ(info.height, 54);
     }
-    EXPECT_EQ(folder.names().size(), 6u);
+    EXPECT_EQ(folder.names().size(), 7u);
 }
 
 TEST(Run, ThePngIsTheExrThroughTheReportsCurve)

@@ -76,15 +76,25 @@ struct Size {
     }
 };
 
+// One channel of the picture around a pixel.
+struct Around {
+    const Triples& values;
+    const Size& size;
+    int x, y;
+
+    double at(int dx, int dy, std::size_t channel) const
+    {
+        return values[size.nearest(x + dx, y + dy)][channel];
+    }
+};
+
 // The sum of weights times the values around a pixel; transposed: x and y of the weights exchanged.
-double filtered(const Triples& values, const Size& size, std::size_t channel, const Square& square, int x,
-                int y, bool transposed = false)
+double filtered(const Around& around, std::size_t channel, const Square& square, bool transposed = false)
 {
     double sum = 0.0;
     for (int dy = -square.radius; dy <= square.radius; ++dy)
         for (int dx = -square.radius; dx <= square.radius; ++dx)
-            sum += (transposed ? square.at(dy, dx) : square.at(dx, dy)) *
-                   values[size.nearest(x + dx, y + dy)][channel];
+            sum += (transposed ? square.at(dy, dx) : square.at(dx, dy)) * around.at(dx, dy, channel);
     return sum;
 }
 
@@ -98,17 +108,14 @@ struct Seen {
     double edge, point;
 };
 
-Seen seen(const Triples& opponent, const Size& size, const Filters& f, int x, int y)
+Seen seen(const Around& opponent, const Filters& f)
 {
-    Triple light = ycxcz_to_light({filtered(opponent, size, 0, f.achromatic, x, y),
-                                   filtered(opponent, size, 1, f.red_green, x, y),
-                                   filtered(opponent, size, 2, f.blue_yellow, x, y)});
+    Triple light = ycxcz_to_light({filtered(opponent, 0, f.achromatic), filtered(opponent, 1, f.red_green),
+                                   filtered(opponent, 2, f.blue_yellow)});
     for (double& part : light)
         part = std::clamp(part, 0.0, 1.0);
     const auto strength = [&](const Square& square) {
-        return std::hypot(filtered(opponent, size, 0, square, x, y),
-                          filtered(opponent, size, 0, square, x, y, true)) /
-               116.0;
+        return std::hypot(filtered(opponent, 0, square), filtered(opponent, 0, square, true)) / 116.0;
     };
     return {hunt_lab(light), strength(f.edge), strength(f.point)};
 }
@@ -137,7 +144,7 @@ std::vector<double> flip_of_light(const Triples& picture, const Triples& referen
     std::vector<double> errors;
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x)
-            errors.push_back(error_between(seen(p, size, f, x, y), seen(q, size, f, x, y)));
+            errors.push_back(error_between(seen({p, size, x, y}, f), seen({q, size, x, y}, f)));
     return errors;
 }
 

@@ -20,7 +20,7 @@ async function packages() {
         };
     } catch (error) {
         if (error.code !== 'ERR_MODULE_NOT_FOUND') throw error;
-        console.log('skipped: no packages here; `node tests/consumers/fetch.mjs` gets them');
+        console.log('skipped: no packages here; `node tests/support/fetch.mjs tests/consumers` gets them');
         process.exit(77);
     }
 }

@@ -134,6 +134,22 @@ TEST(Docs, EveryCommandRunsAndDrawsTheCommittedPicture)
         EXPECT_TRUE(drawn.contains(entry.path())) << entry.path() << " has no command";
 }
 
+TEST(Docs, EveryPictureIsOneOfTheReports)
+{
+    const Folder folder;
+    const fs::path output = run_in(folder, {"report", "--quick", "-o", "report"});
+    int pictures = 0;
+    for (const fs::directory_entry& entry : fs::directory_iterator(root / "docs/pictures")) {
+        const fs::path drawn = output / entry.path().filename();
+        ASSERT_TRUE(fs::exists(drawn)) << drawn;
+        const Difference apart = difference(image::read_codes(drawn), image::read_codes(entry.path()));
+        EXPECT_LT(apart.mean, 0.5) << drawn;
+        EXPECT_LE(apart.far, 0.005) << drawn;
+        ++pictures;
+    }
+    EXPECT_GT(pictures, 5);
+}
+
 TEST(Docs, EveryLinkLeadsSomewhere)
 {
     const std::regex link("\\]\\(([^):#]+)\\)");
@@ -176,6 +192,7 @@ TEST(Docs, CliListsEveryOptionAndNoOther)
                                    {"bake", "--help"},
                                    {"reference", "--help"},
                                    {"compare", "--help"},
+                                   {"report", "--help"},
                                    {"env", "--help"},
                                    {"info", "--help"}})
         real.merge(options_in(testing::run_program(LAMBENT_PROGRAM, command).output));

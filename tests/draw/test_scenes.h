@@ -85,7 +85,7 @@ inline environment::Environment environment_of(int width,
     for (int y = 0; y < width / 2; ++y)
         for (int x = 0; x < width; ++x) {
             const double phi = ((x + 0.5) / width - 0.5) * 2.0 * std::numbers::pi;
-            const double theta = (y + 0.5) / (width / 2) * std::numbers::pi;
+            const double theta = (y + 0.5) / width * 2.0 * std::numbers::pi;
             const glm::vec3 c =
                 radiance({std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi)});
             for (int k = 0; k < 3; ++k)

@@ -26,16 +26,20 @@ double gauss8(const F& f, double a, double b)
     return half * sum;
 }
 
-// One panel, halved until both halves together agree with the whole within `tolerance` (absolute).
+struct Panel {
+    double a, b, whole;
+};
+
+// A panel, halved until both halves together agree with the whole within `tolerance` (absolute).
 template <class F>
-double refine(const F& f, double a, double b, double whole, double tolerance, int depth)
+double refine(const F& f, const Panel& panel, double tolerance, int depth)
 {
-    const double middle = 0.5 * (a + b);
-    const double left = gauss8(f, a, middle), right = gauss8(f, middle, b);
-    if (depth == 0 || std::abs(left + right - whole) <= tolerance)
+    const double middle = 0.5 * (panel.a + panel.b);
+    const double left = gauss8(f, panel.a, middle), right = gauss8(f, middle, panel.b);
+    if (depth == 0 || std::abs(left + right - panel.whole) <= tolerance)
         return left + right;
-    return refine(f, a, middle, left, 0.5 * tolerance, depth - 1) +
-           refine(f, middle, b, right, 0.5 * tolerance, depth - 1);
+    return refine(f, {panel.a, middle, left}, 0.5 * tolerance, depth - 1) +
+           refine(f, {middle, panel.b, right}, 0.5 * tolerance, depth - 1);
 }
 
 // Integral of f over [a, b], with an estimated absolute error of `tolerance` for each of the panels to begin
@@ -46,7 +50,7 @@ double integrate(const F& f, double a, double b, double tolerance = 1e-9, int pa
     double sum = 0.0;
     for (int i = 0; i < panels; i++) {
         const double from = a + (b - a) * i / panels, to = a + (b - a) * (i + 1) / panels;
-        sum += refine(f, from, to, gauss8(f, from, to), tolerance, 30);
+        sum += refine(f, {from, to, gauss8(f, from, to)}, tolerance, 30);
     }
     return sum;
 }

@@ -19,6 +19,10 @@ int main(int argc, char** argv)
         "quiet",
         "env\nsky\n-o\nsky.hdr\n--size\n512x256\n--sun\n10,20\n--turbidity\n3",
         "info\na.glb\n--json",
+        "bake\nkitchen\n-o\nbaked\n--size\n64\n--error\n0.02\n--format\ndds\n--irradiance\nsh",
+        "reference\ngrid\n-o\na.exr\n--bounces\n1\n--noise\n0.02\n--spp\n9\n--seed\n3\n--uniform",
+        "compare\na.exr\nb.exr\n-o\nc.png\n--heat\nrelative\n--clamp\n1\n--max-rel\n0.1",
+        "report\n-o\nreport\n--env\nsky\n--env-rotation\n90\n--size\n64x36\n--quick",
         "--help",
     };
     return lambent::fuzz::write_seeds(argv[1], seeds);

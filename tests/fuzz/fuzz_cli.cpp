@@ -14,11 +14,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::string_view rest(reinterpret_cast<const char*>(data), size);
     while (!rest.empty()) {
         const std::size_t end = rest.find('\n');
-        words.emplace_back(rest.substr(0, end));
-        words.back() = words.back().c_str();
+        const std::string_view line = rest.substr(0, end);
+        words.emplace_back(line.substr(0, line.find('\0'))); // no word of a command line goes on behind one
         rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
     }
     std::vector<const char*> pointers;
+    pointers.reserve(words.size());
     for (const std::string& word : words)
         pointers.push_back(word.c_str());
     try {

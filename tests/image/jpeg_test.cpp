@@ -66,7 +66,7 @@ Bytes encode(int width, int height, const Encoding& encoding)
     EXPECT_EQ(tjCompress2(handle, pixels.data(), width, 0, height, encoding.format, &bytes, &length,
                           encoding.subsampling, 90, encoding.flags),
               0);
-    const Bytes result(bytes, bytes + length);
+    Bytes result(bytes, bytes + length);
     tjFree(bytes);
     tjDestroy(handle);
     return result;

@@ -170,7 +170,7 @@ TEST(PngBad, files)
     const Bytes end = png_chunk("IEND", {});
     Bytes wrong_crc = valid;
     wrong_crc[valid.size() - end.size() - 1] ^= 1;
-    Bytes wrong_text_crc = png_file({1, 1, 8, grey}, {0, 1}, png_chunk("tEXt", bytes_of("a\0b")));
+    Bytes wrong_text_crc = png_file({1, 1, 8, grey}, {0, 1}, png_chunk("tEXt", bytes_of({"a\0b", 3})));
     wrong_text_crc[33 + 8 + 3] ^= 1;
     struct Case {
         Bytes bytes;

@@ -99,7 +99,7 @@ inline image::RadianceImage panorama_of(int width, const std::function<glm::dvec
     image.values.resize(static_cast<std::size_t>(width * (width / 2)) * 3);
     for (int y = 0; y < width / 2; ++y)
         for (int x = 0; x < width; ++x) {
-            const double phi = ((x + 0.5) / width - 0.5) * 2.0 * pi, theta = (y + 0.5) / (width / 2) * pi;
+            const double phi = ((x + 0.5) / width - 0.5) * 2.0 * pi, theta = (y + 0.5) / width * 2.0 * pi;
             const glm::dvec3 rgb =
                 light({std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi)});
             for (int c = 0; c < 3; ++c)

@@ -12,9 +12,9 @@ namespace {
 
 TEST(Builtin, NamesAreKnown)
 {
-    for (const char* name : {"sphere", "teapot", "plane", "report", "grid", "furnace"})
+    for (const char* name : {"sphere", "teapot", "plane", "report", "painted", "grid", "furnace"})
         EXPECT_TRUE(is_builtin(name)) << name;
-    EXPECT_EQ(builtin_names().size(), 6u);
+    EXPECT_EQ(builtin_names().size(), 7u);
     EXPECT_FALSE(is_builtin("Sphere"));
     EXPECT_FALSE(is_builtin(""));
     EXPECT_THROW(make_builtin("cube"), Error);
@@ -50,6 +50,24 @@ TEST(Builtin, SphereAndTeapotStandOnTheGround)
     const Bounds plane = bounds(make_builtin("plane"));
     EXPECT_EQ(plane.low, glm::vec3(-1, 0, -1));
     EXPECT_EQ(plane.high, glm::vec3(1, 0, 1));
+}
+
+TEST(Builtin, ThePaintedSphereHasColoursFromTextures)
+{
+    const Scene scene = make_builtin("painted");
+    ASSERT_EQ(scene.images.size(), 2u);
+    for (const Material& material : scene.materials) {
+        EXPECT_FALSE(material.phong.diffuse);
+        ASSERT_GE(material.base_color_texture.image, 0);
+        EXPECT_LT(material.base_color_texture.image, 2);
+    }
+    for (const image::CodeImage& image : scene.images)
+        EXPECT_EQ(image.bytes.size(), static_cast<std::size_t>(image.width * image.height * 4));
+    // --kd takes the textures' place.
+    BuiltinOptions options;
+    options.diffuse = glm::vec3(0.5f);
+    const Scene plain = make_builtin("painted", options);
+    EXPECT_EQ(plain.materials[0].phong.diffuse, glm::vec3(0.5f));
 }
 
 TEST(Builtin, TheReportStandsOnItsPlaneUnderThreeLights)

@@ -223,7 +223,8 @@ Integrals quadrature()
             for (const auto& [x, weight_x] : gauss) {
                 for (const auto& [y, weight_y] : gauss) {
                     const double u = (cell % cells + x) / cells;
-                    const double v = (cell / cells + y) / cells;
+                    const int row = cell / cells;
+                    const double v = (row + y) / cells;
                     const glm::dvec3 du =
                         (published_surface(patch, u + step, v) - published_surface(patch, u - step, v)) /
                         (2.0 * step);

@@ -165,8 +165,8 @@ TEST_P(Approximations, ArcTangent)
     // A circle, with points on and beside the axes and diagonals, at three scales.
     std::vector<float> y, x;
     for (double radius : {1e-15, 1.0, 1e15})
-        for (int i = 0; i <= points / 2; i++) {
-            const double turn = 6.283185307179586 * i / (points / 2);
+        for (int i = 0; i <= points; i += 2) {
+            const double turn = 6.283185307179586 * i / points;
             y.push_back(static_cast<float>(radius * std::sin(turn)));
             x.push_back(static_cast<float>(radius * std::cos(turn)));
         }

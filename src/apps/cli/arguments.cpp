@@ -3,6 +3,7 @@
 #include "apps/cli/bake_grammar.h"
 #include "apps/cli/compare_grammar.h"
 #include "apps/cli/grammar.h"
+#include "apps/cli/report_grammar.h"
 #include "apps/cli/values.h"
 #include "apps/cli/version.h"
 #include "base/error.h"
@@ -244,6 +245,7 @@ struct Grammar {
     InfoArguments info;
     BakeGrammar bake;
     CompareGrammar compare;
+    ReportGrammar report;
     CLI::App* render_command = nullptr;
     CLI::App* reference_command = nullptr;
     CLI::App* env_command = nullptr;
@@ -253,12 +255,13 @@ struct Grammar {
     {
         app.set_version_flag("--version", text("lambent ", version));
         app.require_subcommand(1);
-        app.footer("SCENE: a .gltf or .glb file, or sphere, teapot, plane, report, grid, furnace.\n"
+        app.footer("SCENE: a .gltf or .glb file, or sphere, teapot, plane, report, painted, grid, furnace.\n"
                    "'lambent COMMAND --help' lists a command's options.");
         add_render();
         bake.add(app);
         add_reference();
         compare.add(app);
+        report.add(app);
         add_env();
         add_info();
     }
@@ -342,6 +345,8 @@ struct Grammar {
             return bake.result();
         if (compare.parsed())
             return compare.result();
+        if (report.parsed())
+            return report.result();
         if (env_command->parsed())
             return finished(words, env);
         info.common = common_options(words);

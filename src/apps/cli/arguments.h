@@ -90,6 +90,18 @@ struct BakeArguments {
     static constexpr int usual_irradiance_size = 32, usual_table_size = 128;
 };
 
+struct ReportArguments {
+    CommonOptions common;
+    std::string environment = "kitchen";
+    std::string output;            ///< folder
+    int width = 512, height = 288; ///< of a figure
+    double rotation = 0.0;         ///< of the environment, degrees
+    bool quick = false;            ///< without references
+    double noise = 0.02;           ///< of references,
+    int samples = 48;              ///< or this
+    bool cache = true;             ///< of environments
+};
+
 struct EnvArguments {
     CommonOptions common;
     std::string name;
@@ -109,7 +121,7 @@ struct PrintText {
 };
 
 using Arguments = std::variant<PrintText, RenderArguments, BakeArguments, ReferenceArguments,
-                               CompareArguments, EnvArguments, InfoArguments>;
+                               CompareArguments, ReportArguments, EnvArguments, InfoArguments>;
 
 /// Throws Error(usage) with one line for whatever is wrong.
 Arguments parse_arguments(int count, const char* const* words);

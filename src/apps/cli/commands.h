@@ -9,6 +9,7 @@ void run(const RenderArguments& arguments);
 void run(const BakeArguments& arguments);
 void run(const ReferenceArguments& arguments);
 void run(const CompareArguments& arguments);
+void run(const ReportArguments& arguments);
 void run(const EnvArguments& arguments);
 void run(const InfoArguments& arguments);
 

@@ -54,7 +54,9 @@ float shown(Layer::Kind kind, float value, const Range& depths)
     }
 }
 
-image::CodeImage picture_of(const Layer& layer, const display::Settings& display)
+} // namespace
+
+image::CodeImage layer_picture(const Layer& layer, const display::Settings& display)
 {
     if (layer.kind == Layer::Kind::light || layer.kind == Layer::Kind::irradiance)
         return display::to_codes(layer.image, display);
@@ -73,8 +75,6 @@ image::CodeImage picture_of(const Layer& layer, const display::Settings& display
     return display::to_codes(scaled, plain);
 }
 
-} // namespace
-
 void make_layer_folder(const std::filesystem::path& folder)
 {
     std::error_code error;
@@ -90,7 +90,7 @@ void write_layers(const std::vector<draw::Layer>& layers, const std::filesystem:
 {
     tbb::parallel_for(std::size_t{0}, layers.size(), [&](std::size_t i) {
         image::write_radiance(layers[i].image, folder / (layers[i].name + ".exr"));
-        image::write_codes(picture_of(layers[i], display), folder / (layers[i].name + ".png"));
+        image::write_codes(layer_picture(layers[i], display), folder / (layers[i].name + ".png"));
     });
 }
 

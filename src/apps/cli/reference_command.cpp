@@ -3,14 +3,13 @@
 #include "apps/cli/interrupt.h"
 #include "apps/cli/picture_file.h"
 #include "apps/cli/picture_setup.h"
+#include "apps/cli/reference_setup.h"
 #include "apps/cli/stats.h"
 #include "apps/cli/stopwatch.h"
 #include "apps/cli/threads.h"
 #include "base/file.h"
 #include "base/text.h"
-#include "environment/panorama.h"
 #include "image/image_io.h"
-#include "reference/tracer.h"
 
 #include <nlohmann/json.hpp>
 
@@ -20,37 +19,6 @@
 
 namespace lambent::cli {
 namespace {
-
-// Without a limit of the user's. Mirrors under a small lamp may never become as quiet as that.
-constexpr double usual_noise = 0.01;
-constexpr int usual_samples = 1024;
-
-std::optional<image::RadianceImage> load_raw_environment(const std::string& name, Warnings& warnings)
-{
-    if (name == "none")
-        return std::nullopt;
-    if (environment::is_builtin(name))
-        return environment::make_builtin(name);
-    return environment::load_unpacked_panorama(name, warnings);
-}
-
-reference::Settings settings_of(const ReferenceArguments& arguments, const scene::Scene& scene)
-{
-    reference::Settings settings;
-    static_cast<view::Picture&>(settings) = arguments.picture.settings;
-    settings.camera = choose_camera(arguments.picture, scene);
-    settings.bounces = arguments.bounces;
-    settings.seed = arguments.seed;
-    if (arguments.seconds)
-        settings.seconds = *arguments.seconds;
-    const bool no_limit = !arguments.samples && !arguments.noise && !arguments.seconds;
-    if (arguments.samples || no_limit)
-        settings.samples = arguments.samples.value_or(usual_samples);
-    settings.noise = arguments.noise.value_or(no_limit ? usual_noise : 0.0);
-    // A number of samples alone is what people ask for who want to know exactly what they get.
-    settings.adaptive = !arguments.uniform && (settings.noise > 0.0 || arguments.seconds);
-    return settings;
-}
 
 std::string note_of(const reference::Progress& progress)
 {
@@ -115,7 +83,7 @@ void run(const ReferenceArguments& arguments)
     watch.lap("environment");
     console.warn(warnings);
 
-    const reference::Settings settings = settings_of(arguments, scene);
+    const reference::Settings settings = reference_settings(arguments, scene);
     const reference::Result result = reference::trace(
         scene, environment ? &*environment : nullptr, settings, [&](const reference::Progress& progress) {
             console.progress(static_cast<float>(progress.done), note_of(progress));

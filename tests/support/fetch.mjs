@@ -1,11 +1,12 @@
-// Gets the packages of package-lock.json into node_modules, each checked against its sum there. Does what
-// `npm ci --ignore-scripts` does, for whoever has node without npm. node fetch.mjs
+// Gets the packages of a folder's package-lock.json into its node_modules, each checked against its sum there.
+// Does what `npm ci --ignore-scripts` does, for whoever has node without npm. node fetch.mjs FOLDER
 import { execFileSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, renameSync, rmSync } from 'node:fs';
-import { fileURLToPath } from 'node:url';
+import { resolve } from 'node:path';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 
-const here = new URL('./', import.meta.url);
+const here = pathToFileURL(`${resolve(process.argv[2])}/`);
 
 function isThere(path, wanted) {
     const file = new URL(`${path}/package.json`, here);

@@ -1,0 +1,72 @@
+#include "apps/report/approximations.h"
+
+#include "apps/report/desk.h"
+#include "base/text.h"
+#include "compare/brightness_fit.h"
+
+#include <cmath>
+
+namespace lambent::report {
+namespace {
+
+// The whole-sphere mean of what a white specular surface reflects of a white environment, exactly: 1 if none is lost.
+double kept_energy(Workshop& workshop, int exponent)
+{
+    const Shot shot{"",
+                    text("sphere --model phong --kd 0,0,0 --ks 1,1,1 --alpha ", exponent,
+                         " --env furnace --background none --camera 0,0 --size 64x64"),
+                    "", ""};
+    const image::RadianceImage& light = workshop.reference(shot).radiance;
+    double sum = 0.0, covered = 0.0;
+    for (std::size_t i = 0; i < light.values.size(); i += 4) {
+        sum += static_cast<double>(light.values[i]);
+        covered += static_cast<double>(light.values[i + 3]);
+    }
+    return sum / covered;
+}
+
+// Without the reference's noise, whose squares are known for the whole picture.
+double without_noise(double error, double noise)
+{
+    return std::sqrt(std::max(0.0, error * error - noise * noise));
+}
+
+} // namespace
+
+const char* const approximations_caption =
+    "RMSE over mean of light cut at 1, on the surfaces alone, of the reflecting sphere and plane. Mip level: "
+    "forty samples at "
+    "the "
+    "report's levels against the same pass with 1024 finely read ones; matched levels likewise. Lobe: that "
+    "limit, "
+    "samples around R that are not divided by their density, against the exact integral; then the same after "
+    "the one "
+    "factor on the whole picture that suits it best: what is left is the lobe's shape. Masking: the share of "
+    "light "
+    "that the exact BRDF itself gives back in a white furnace, 100 % if 1/(L\u00b7H)\u00b2 lost none.";
+
+Table approximations(Workshop& workshop)
+{
+    Table table{{"\u03b1", "mip level", "matched levels", "lobe around R", "best factor", "lobe's shape",
+                 "masking keeps"},
+                {}};
+    for (const int exponent : reflecting_exponents) {
+        const Shot matched = reflecting(exponent, "matched");
+        Shot limit = matched;
+        limit.words += " --samples 1024";
+        const double noise = cut_noise(workshop.reference(matched));
+        const image::RadianceImage exact = cut_light(workshop.reference(matched).radiance),
+                                   converged = cut_light(workshop.frame(limit).radiance);
+        const auto error = [&](const Shot& shot) {
+            return compare::brightness_fit({cut_light(workshop.frame(shot).radiance), converged}).error;
+        };
+        const compare::BrightnessFit lobe = compare::brightness_fit({converged, exact});
+        table.rows.push_back({text(exponent), percent(error(reflecting(exponent, "report"))),
+                              percent(error(matched)), percent(without_noise(lobe.error, noise)),
+                              rounded(lobe.factor), percent(without_noise(lobe.left, noise)),
+                              percent(kept_energy(workshop, exponent))});
+    }
+    return table;
+}
+
+} // namespace lambent::report

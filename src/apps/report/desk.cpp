@@ -1,0 +1,29 @@
+#include "apps/report/desk.h"
+
+#include "base/text.h"
+
+namespace lambent::report {
+
+Picture Desk::proven(const Shot& shot, const std::string& figure)
+{
+    Picture picture = workshop.picture(shot);
+    if (!references)
+        return picture;
+    Proof proof = workshop.prove(shot);
+    picture.numbers.push_back({"error", percent(proof.error)});
+    picture.numbers.push_back({"reference's noise", percent(proof.noise)});
+    entries.push_back({figure, std::move(proof)});
+    return picture;
+}
+
+Shot reflecting(int exponent, const std::string& levels)
+{
+    return {text("specular-", exponent, levels == "report" ? "-report" : ""),
+            text("painted --model phong --kd 0.02,0.02,0.02 --ks 0.9,0.9,0.9 --alpha ", exponent,
+                 " --mip-level ", levels, " --camera 240,14,2.6 --fov 34"),
+            text("\u03b1 = ", exponent),
+            text("A sphere on a plane, both reflecting with exponent ", exponent,
+                 levels == "report" ? ", by the report's levels" : ", by matched levels")};
+}
+
+} // namespace lambent::report

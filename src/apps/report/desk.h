@@ -1,0 +1,41 @@
+// What the sections of the page are written with.
+#pragma once
+
+#include "apps/report/workshop.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lambent::report {
+
+/// A figure's picture and how far it was found to be from its reference.
+struct Entry {
+    std::string figure; ///< as it is named in the table
+    Proof proof;
+};
+
+struct Desk {
+    Workshop& workshop;
+    bool references = true; ///< without them no errors
+    std::vector<Entry> entries;
+
+    /// Draws a shot, and proves it where there are references: its error goes under the picture and into `entries`.
+    Picture proven(const Shot& shot, const std::string& figure);
+};
+
+/// The sections, in the order of the page. Later ones use what earlier ones have drawn.
+Section gallery(Desk& desk);
+Section direct_light(Desk& desk);
+Section diffuse_light(Desk& desk);
+Section background(Desk& desk);
+Section specular_light(Desk& desk);
+Section passes(Desk& desk);
+Section beyond(Desk& desk);
+Section making(const Desk& desk);
+
+/// The report's reflecting sphere on its ground, at an exponent; `levels` is the --mip-level.
+Shot reflecting(int exponent, const std::string& levels);
+constexpr int reflecting_exponents[] = {1, 625, 15625, 390625};
+
+} // namespace lambent::report

@@ -1,0 +1,103 @@
+#include "apps/report/html.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace lambent::report {
+namespace {
+
+bool is_letter_or_digit(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
+std::string escaped(char c)
+{
+    switch (c) {
+    case '&':
+        return "&amp;";
+    case '<':
+        return "&lt;";
+    case '>':
+        return "&gt;";
+    case '"':
+        return "&quot;";
+    case '\'':
+        return "&#39;";
+    default:
+        break;
+    }
+    // HTML knows no other control characters.
+    const bool is_control = static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t';
+    return is_control || c == 0x7f ? "\uFFFD" : std::string(1, c);
+}
+
+} // namespace
+
+std::string escape(std::string_view text)
+{
+    std::string html;
+    html.reserve(text.size());
+    for (const char c : text)
+        html += escaped(c);
+    return html;
+}
+
+std::string address(std::string_view file)
+{
+    // "//host" would be another machine, and a colon would end a protocol's name.
+    std::string text = file.starts_with('/') ? "." : "";
+    for (const char c : file) {
+        if (is_letter_or_digit(c) || std::string_view("-._~/").find(c) != std::string_view::npos) {
+            text += c;
+            continue;
+        }
+        char code[4];
+        std::snprintf(code, sizeof code, "%%%02X", static_cast<unsigned>(static_cast<unsigned char>(c)));
+        text += code;
+    }
+    return text;
+}
+
+std::string attribute(std::string_view name, std::string_view value)
+{
+    std::string html = " ";
+    return html.append(name).append("=\"").append(escape(value)).append("\"");
+}
+
+std::string element(std::string_view tag, std::string_view text)
+{
+    std::string html = "<";
+    html.append(tag).append(">").append(escape(text)).append("</");
+    return html.append(tag.substr(0, tag.find(' '))).append(">");
+}
+
+std::string decimal(double value)
+{
+    char text[32];
+    const long hundredths = std::lround(value * 100);
+    const char* sign = hundredths < 0 ? "-" : "";
+    std::snprintf(text, sizeof text, "%s%ld.%02ld", sign, std::labs(hundredths) / 100,
+                  std::labs(hundredths) % 100);
+    std::string short_text = text;
+    while (short_text.back() == '0')
+        short_text.pop_back();
+    if (short_text.back() == '.')
+        short_text.pop_back();
+    return short_text;
+}
+
+std::string Ids::take(std::string_view wanted)
+{
+    std::string id;
+    for (const char c : wanted)
+        id += is_letter_or_digit(c) || c == '-' || c == '_' ? c : '-';
+    if (id.empty())
+        id = "part";
+    std::string unique = id;
+    for (int i = 2; !taken_.insert(unique).second; ++i)
+        unique = id + "-" + std::to_string(i);
+    return unique;
+}
+
+} // namespace lambent::report

@@ -1,0 +1,83 @@
+// A page of figures as one HTML file: no network, no script needed to read it, pictures beside it.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace lambent::report {
+
+/// Something measured, under the picture it was measured in.
+struct Number {
+    std::string name, value; ///< as shown: "relative error", "1.3 %"
+};
+
+struct Picture {
+    std::string file; ///< relative to the page
+    int width = 0, height = 0;
+    std::string title;                 ///< a few words: "e = 700"
+    std::string alt;                   ///< what is to be seen
+    std::vector<std::string> commands; ///< that make the file, in order, as typed
+    std::vector<Number> numbers;
+};
+
+/// Pictures side by side, all framed alike.
+struct Gallery {
+    std::vector<Picture> pictures;
+};
+
+/// Pictures in rows and columns, as a table; row by row, and as many as rows times columns.
+struct Matrix {
+    std::vector<std::string> rows, columns; ///< titles
+    std::vector<Picture> pictures;
+};
+
+/// Two or more pictures of one size, of which any two lie on each other with a slider between them.
+struct Comparison {
+    std::vector<Picture> pictures;
+};
+
+struct Table {
+    std::vector<std::string> columns; ///< titles; the first column's cells are titles of their rows
+    std::vector<std::vector<std::string>> rows;
+};
+
+struct Curve {
+    std::string name;
+    std::vector<double> x, y; ///< above 0
+};
+
+/// Curves on logarithmic axes.
+struct Plot {
+    std::string x_title, y_title;
+    std::string alt;
+    std::vector<Curve> curves;
+};
+
+struct Figure {
+    std::string id; ///< of the page, in lower case with dashes
+    std::string title;
+    std::string caption; ///< plain text
+    std::variant<Gallery, Matrix, Comparison, Table, Plot> content;
+};
+
+struct Section {
+    std::string id, title;
+    std::vector<std::string> text; ///< paragraphs, plain
+    std::vector<Figure> figures;
+};
+
+struct Page {
+    std::string title, lead;
+    Picture cover;
+    std::vector<Section> sections;
+    std::vector<Number> facts; ///< how it was made, at the end
+};
+
+/// The whole index.html, UTF-8. Every text in it is escaped.
+std::string to_html(const Page& page);
+
+/// The same as numbers for programs: sections, figures, pictures with their commands and numbers, tables and curves.
+std::string to_json(const Page& page);
+
+} // namespace lambent::report

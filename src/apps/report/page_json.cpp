@@ -1,0 +1,110 @@
+#include "apps/report/chapters.h"
+
+#include <nlohmann/json.hpp>
+
+namespace lambent::report {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const std::vector<Number>& numbers)
+{
+    Json list = Json::array();
+    for (const Number& number : numbers)
+        list.push_back({{"name", number.name}, {"value", number.value}});
+    return list;
+}
+
+Json json_of(const Picture& picture)
+{
+    return {{"file", picture.file},
+            {"width", picture.width},
+            {"height", picture.height},
+            {"title", picture.title},
+            {"alt", picture.alt},
+            {"commands", picture.commands},
+            {"numbers", json_of(picture.numbers)}};
+}
+
+Json json_of(const std::vector<Picture>& pictures)
+{
+    Json list = Json::array();
+    for (const Picture& picture : pictures)
+        list.push_back(json_of(picture));
+    return list;
+}
+
+Json json_of(const Gallery& gallery)
+{
+    return {{"kind", "gallery"}, {"pictures", json_of(gallery.pictures)}};
+}
+
+Json json_of(const Matrix& matrix)
+{
+    return {{"kind", "matrix"},
+            {"rows", matrix.rows},
+            {"columns", matrix.columns},
+            {"pictures", json_of(matrix.pictures)}};
+}
+
+Json json_of(const Comparison& comparison)
+{
+    return {{"kind", "comparison"}, {"pictures", json_of(comparison.pictures)}};
+}
+
+Json json_of(const Table& table)
+{
+    return {{"kind", "table"}, {"columns", table.columns}, {"rows", table.rows}};
+}
+
+Json json_of(const Plot& plot)
+{
+    Json curves = Json::array();
+    for (const Curve& curve : plot.curves)
+        curves.push_back({{"name", curve.name}, {"x", curve.x}, {"y", curve.y}});
+    return {{"kind", "plot"},
+            {"x_title", plot.x_title},
+            {"y_title", plot.y_title},
+            {"alt", plot.alt},
+            {"curves", curves}};
+}
+
+Json json_of(const Figure& figure, const Place& place)
+{
+    Json json = {
+        {"id", place.id}, {"number", place.number}, {"title", figure.title}, {"caption", figure.caption}};
+    json.update(std::visit([](const auto& content) { return json_of(content); }, figure.content));
+    return json;
+}
+
+Json json_of(const Chapter& chapter)
+{
+    Json figures = Json::array();
+    for (std::size_t i = 0; i < chapter.places.size(); ++i)
+        figures.push_back(json_of(chapter.section->figures[i], chapter.places[i]));
+    return {{"id", chapter.id},
+            {"number", chapter.number},
+            {"title", chapter.section->title},
+            {"text", chapter.section->text},
+            {"figures", figures}};
+}
+
+} // namespace
+
+std::string to_json(const Page& page)
+{
+    Json sections = Json::array();
+    Ids ids;
+    for (const Chapter& chapter : chapters_of(page, ids))
+        sections.push_back(json_of(chapter));
+    const Json json = {{"title", page.title},
+                       {"lead", page.lead},
+                       {"cover", json_of(page.cover)},
+                       {"sections", sections},
+                       {"facts", json_of(page.facts)}};
+    // What is not UTF-8 is shown as such instead of failing.
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace lambent::report

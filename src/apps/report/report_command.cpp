@@ -1,0 +1,146 @@
+#include "apps/cli/commands.h"
+#include "apps/cli/console.h"
+#include "apps/cli/interrupt.h"
+#include "apps/cli/new_folder.h"
+#include "apps/cli/stats.h"
+#include "apps/cli/stopwatch.h"
+#include "apps/cli/threads.h"
+#include "apps/cli/version.h"
+#include "apps/report/desk.h"
+#include "base/file.h"
+#include "base/text.h"
+
+#include <nlohmann/json.hpp>
+#include <tbb/info.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lambent::cli {
+namespace {
+
+// Thrown where the user is found to have asked for an end.
+struct Stopped {};
+
+// What a page takes on two ordinary cores, in the workshop's reckoning.
+constexpr double seconds_of_a_quick_page = 6.0, seconds_of_a_page = 75.0;
+
+report::WorkshopSettings workshop_settings(const ReportArguments& arguments, const NewFolder& folder)
+{
+    report::WorkshopSettings settings;
+    settings.environment = arguments.environment;
+    settings.size = {"--size", text(arguments.width, "x", arguments.height)};
+    if (arguments.rotation != 0.0)
+        settings.rotation = {"--env-rotation", text(arguments.rotation)};
+    settings.cache = arguments.cache;
+    settings.noise = arguments.noise;
+    settings.samples = arguments.samples;
+    settings.folder = folder.path("");
+    return settings;
+}
+
+report::Picture cover(report::Desk& desk)
+{
+    return desk.workshop.picture(
+        {"grid.jpg", "grid --camera 25,10 --fov 30 --tone neutral --exposure 0.7 --size 960x540",
+         "49 spheres in one room",
+         "49 gold spheres, rougher to the right, more metallic upwards, before a kitchen"});
+}
+
+report::Page make_page(report::Desk& desk)
+{
+    report::Page page;
+    page.title = "Physically based and image based lighting";
+    page.lead =
+        "A deferred renderer of 2014, figure by figure, and what has come of it: every picture drawn again "
+        "by lambent, measured, and held against a path-traced reference.";
+    page.cover = cover(desk);
+    page.sections = {gallery(desk),        direct_light(desk), diffuse_light(desk), background(desk),
+                     specular_light(desk), passes(desk),       beyond(desk),        making(desk)};
+    return page;
+}
+
+void add_facts(const ReportArguments& arguments, const Stopwatch& watch, report::Page& page)
+{
+    page.facts = {{"program", text("lambent ", version)},
+                  {"environment", arguments.environment},
+                  {"size of a figure", text(arguments.width, " x ", arguments.height)},
+                  {"threads", text(arguments.common.threads > 0 ? arguments.common.threads
+                                                                : tbb::info::default_concurrency())},
+                  {"time", text(report::rounded(watch.total_ms() / 1000.0), " s")}};
+}
+
+void write_text(const std::string& content, const std::filesystem::path& path)
+{
+    write_file(path, {reinterpret_cast<const std::uint8_t*>(content.data()), content.size()});
+}
+
+void print_stats(const ReportArguments& arguments, const report::Desk& desk, const Stopwatch& watch)
+{
+    double error = 0.0;
+    for (const report::Entry& entry : desk.entries)
+        error = std::max(error, entry.proof.noise);
+    nlohmann::ordered_json stats = {{"command", "report"},
+                                    {"environment", arguments.environment},
+                                    {"output", arguments.output},
+                                    {"backend", "cpu"},
+                                    {"width", arguments.width},
+                                    {"height", arguments.height},
+                                    {"references", desk.entries.size()},
+                                    {"reference_noise", error}};
+    add_cost(watch, stats);
+    print(stats);
+}
+
+void make_report(const ReportArguments& arguments, const Interrupt& interrupt, Console& console)
+{
+    const ThreadLimit limit(arguments.common.threads);
+    Stopwatch watch;
+    NewFolder folder(arguments.output);
+    report::WorkshopSettings settings = workshop_settings(arguments, folder);
+    double seconds = 0.0;
+    settings.progress = [&](double more) {
+        if (interrupt.asked())
+            throw Stopped();
+        seconds += more;
+        const double all = arguments.quick ? seconds_of_a_quick_page : seconds_of_a_page;
+        console.progress(static_cast<float>(std::min(seconds / all, 0.99)));
+    };
+    report::Workshop workshop(settings);
+    report::Desk desk{workshop, !arguments.quick, {}};
+    try {
+        report::Page page = make_page(desk);
+        std::vector<std::string> files = workshop.finish();
+        console.end_progress();
+        console.warn(workshop.warnings());
+        watch.lap("draw");
+        add_facts(arguments, watch, page);
+        write_text(report::to_json(page), folder.path("report.json"));
+        write_text(report::to_html(page), folder.path("index.html"));
+        files.insert(files.end(), {"report.json", "index.html"});
+        folder.put_in_place(files);
+    } catch (const Error& error) {
+        throw Error(error.failure(), folder.without_hiding(error.what()));
+    }
+    watch.lap("write");
+    console.remark(text("wrote ", arguments.output, "/index.html"));
+    if (arguments.common.stats_json)
+        print_stats(arguments, desk, watch);
+}
+
+} // namespace
+
+void run(const ReportArguments& arguments)
+{
+    check_can_make_folder(arguments.output);
+    const Interrupt interrupt;
+    Console console(arguments.common.verbosity);
+    try {
+        make_report(arguments, interrupt, console);
+    } catch (const Stopped&) {
+        console.end_progress();
+        interrupt.end_program();
+    }
+}
+
+} // namespace lambent::cli

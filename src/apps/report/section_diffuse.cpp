@@ -1,0 +1,118 @@
+#include "apps/report/desk.h"
+#include "base/text.h"
+#include "compare/appearance.h"
+
+namespace lambent::report {
+namespace {
+
+const char* const diffuse_exposures[] = {"700", "70", "7", "1", "0.1"};
+const char* const background_exposures[] = {"7000", "700", "70", "7", "1", "0.1"};
+
+Shot painted(const std::string& exposure, const std::string& space)
+{
+    return {"diffuse-" + space + "-" + exposure,
+            "painted --model phong --ks 0,0,0 --camera 240,14,2.6 --fov 34 --exposure " + exposure +
+                " --space " + space,
+            "e = " + exposure,
+            "A sphere with a chart of colours on a tiled plane, " + space + " colour, exposure " + exposure};
+}
+
+Shot room(const std::string& exposure)
+{
+    return {"background-" + exposure, "sphere --model phong --camera 200,4,5 --fov 60 --exposure " + exposure,
+            "e = " + exposure, "The environment behind a small red sphere, at exposure " + exposure};
+}
+
+void add_tone_numbers(Workshop& workshop, const Shot& shot, Picture& picture)
+{
+    const image::CodeImage codes = workshop.codes(shot);
+    const image::RadianceImage& light = workshop.frame(shot).radiance;
+    picture.numbers.push_back({"mean luminance", percent(compare::displayed_luminance(codes))});
+    picture.numbers.push_back({"hue order kept", percent(compare::kept_hue_order(codes, light))});
+}
+
+double saturation(Workshop& workshop, const Shot& shot)
+{
+    return compare::mean_saturation(workshop.codes(shot), workshop.frame(shot).radiance);
+}
+
+Matrix exposure_table(Desk& desk)
+{
+    Matrix matrix{{"linear", "nonlinear"}, {}, {}};
+    for (const char* exposure : diffuse_exposures)
+        matrix.columns.push_back(text("e = ", exposure));
+    for (const std::string& space : matrix.rows)
+        for (const char* exposure : diffuse_exposures) {
+            const Shot shot = painted(exposure, space);
+            // The light is the same at every exposure: it is proven once.
+            matrix.pictures.push_back(space == "linear" && exposure == std::string("1")
+                                          ? desk.proven(shot, "Diffuse light, linear colour")
+                                          : desk.workshop.picture(shot));
+            add_tone_numbers(desk.workshop, shot, matrix.pictures.back());
+            matrix.pictures.back().numbers.push_back(
+                {"saturation", percent(saturation(desk.workshop, shot))});
+        }
+    return matrix;
+}
+
+Table saturation_table(Desk& desk)
+{
+    Table table{{"exposure", "linear", "nonlinear", "ratio"}, {}};
+    for (const char* exposure : diffuse_exposures) {
+        const double linear = saturation(desk.workshop, painted(exposure, "linear")),
+                     nonlinear = saturation(desk.workshop, painted(exposure, "nonlinear"));
+        table.rows.push_back({exposure, percent(linear), percent(nonlinear), rounded(linear / nonlinear)});
+    }
+    return table;
+}
+
+} // namespace
+
+Section diffuse_light(Desk& desk)
+{
+    Section section{
+        "diffuse",
+        "Diffuse image based lighting and tone mapping",
+        {"Every surface takes the irradiance around its normal from the environment. The curve "
+         "(eC / (eC + 1)) to the power K/2.2 maps light to the display. Linear colour converts texels to "
+         "light before the sum and light to codes after it; nonlinear colour does neither."},
+        {}};
+    section.figures.push_back(
+        {"diffuse-exposures", "Exposure by colour space",
+         "The same light at five exposures. The luminance is what a display shows; hue order is kept "
+         "where none of the brightest tenth's channels overtakes another. Nonlinear colour pales first: its "
+         "codes are sums "
+         "of numbers that are not light.",
+         exposure_table(desk)});
+    section.figures.push_back(
+        {"diffuse-saturation", "Saturation measured",
+         "Mean of (max - min) / max over the surfaces, as displayed. At 7 and at 70 linear "
+         "colour is the more saturated one, as the report found by eye.",
+         saturation_table(desk)});
+    return section;
+}
+
+Section background(Desk& desk)
+{
+    Section section{
+        "background",
+        "Background tone mapping",
+        {"Where no surface stands the environment itself is seen, through the same exposure and the same "
+         "curve as everything else: a window that blinds does so in the reflection too."},
+        {}};
+    Gallery pictures;
+    for (const char* exposure : background_exposures) {
+        const Shot shot = room(exposure);
+        pictures.pictures.push_back(exposure == std::string("1") ? desk.proven(shot, "Background")
+                                                                 : desk.workshop.picture(shot));
+        add_tone_numbers(desk.workshop, shot, pictures.pictures.back());
+    }
+    section.figures.push_back(
+        {"background-exposures", "Six exposures",
+         "From 7000 down to 0.1. The mean luminance that is displayed rises with each step, and "
+         "no channel overtakes another in the highlights.",
+         pictures});
+    return section;
+}
+
+} // namespace lambent::report

@@ -1,0 +1,22 @@
+#include "apps/report/desk.h"
+#include "base/text.h"
+
+namespace lambent::report {
+
+Section making(const Desk& desk)
+{
+    const WorkshopSettings& settings = desk.workshop.settings();
+    Section section{"making", "The commands", {}, {}};
+    section.text.push_back(
+        "Under every picture stands the command that makes it, exactly: the files beside this page "
+        "are, byte for byte, what these commands write on the same machine.");
+    if (desk.references)
+        section.text.push_back(
+            text("References stop at an estimated relative error of ", percent(settings.noise), " or at ",
+                 settings.samples,
+                 " samples per pixel, whichever comes first; the noise that each reached stands "
+                 "under its picture and in the table of errors."));
+    return section;
+}
+
+} // namespace lambent::report

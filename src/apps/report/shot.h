@@ -1,0 +1,42 @@
+// One picture of the page, named by the command that draws it.
+#pragma once
+
+#include "apps/cli/arguments.h"
+
+#include <string>
+#include <vector>
+
+namespace lambent::report {
+
+using Words = std::vector<std::string>;
+
+struct Shot {
+    std::string name;  ///< of its file, without ".png"; or with ".jpg"
+    std::string words; ///< of `lambent render` between that and -o, apart by spaces: "sphere --model phong"
+    std::string title; ///< as Picture's
+    std::string alt;   ///< as Picture's
+    bool lit = true;   ///< by the report's environment; else by none
+};
+
+/// A command as it is typed: words with anything special in them in quotes.
+std::string typed(const Words& words);
+
+/// What the words ask for. Throws Error(usage).
+cli::RenderArguments parse_render(Words words);
+
+/// Likewise of `lambent reference`.
+cli::ReferenceArguments parse_reference(Words words);
+
+/// The words without the options that only say how light is shown. What is left names the light.
+Words without_display(const Words& words);
+
+/// The words without the options that only say how to approximate: the path tracer has no use for them.
+Words without_approximations(const Words& words);
+
+/// "1.3 %", two digits or, from 10 % on, whole.
+std::string percent(double share);
+
+/// A number with `digits` significant digits; below 0.0001 with an exponent and one less.
+std::string rounded(double value, int digits = 3);
+
+} // namespace lambent::report

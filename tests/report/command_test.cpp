@@ -1,0 +1,268 @@
+// `lambent report` as its users meet it: its files, its commands, and what it found.
+#include "base/text.h"
+#include "image/image_io.h"
+#include "tests/support/process.h"
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <set>
+#include <sstream>
+
+namespace lambent {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::Folder;
+using testing::Outcome;
+
+std::string contents(const fs::path& path)
+{
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+Outcome report(const std::string& folder, const std::vector<std::string>& words)
+{
+    std::vector<std::string> all = {"report", "-o", folder};
+    all.insert(all.end(), words.begin(), words.end());
+    return testing::run_program(LAMBENT_PROGRAM, all, 300.0);
+}
+
+// One page for all tests that look at one.
+class Report : public ::testing::Test {
+protected:
+    static void SetUpTestSuite()
+    {
+        folder = std::make_unique<Folder>();
+        outcome = report(folder->path("out"), {"--quick", "--stats", "json"});
+        if (outcome.code == 0)
+            page = json::parse(contents(folder->path("out/report.json")));
+    }
+    static void TearDownTestSuite() { folder.reset(); }
+
+    void SetUp() override { ASSERT_EQ(outcome.code, 0) << outcome.error; }
+
+    static std::unique_ptr<Folder> folder;
+    static Outcome outcome;
+    static json page;
+};
+
+std::unique_ptr<Folder> Report::folder;
+Outcome Report::outcome;
+json Report::page;
+
+void for_each_picture(const json& page, const std::function<void(const json&)>& visit)
+{
+    visit(page["cover"]);
+    for (const json& section : page["sections"])
+        for (const json& figure : section["figures"])
+            if (figure.contains("pictures"))
+                for (const json& picture : figure["pictures"])
+                    visit(picture);
+}
+
+json picture(const json& page, const std::string& file)
+{
+    json found;
+    for_each_picture(page, [&](const json& picture) {
+        if (picture["file"] == file)
+            found = picture;
+    });
+    EXPECT_FALSE(found.is_null()) << file;
+    return found;
+}
+
+// The number under a picture: "4.23 : 1" is 4.23, "12 %" is 12.
+double number(const json& page, const std::string& file, const std::string& name)
+{
+    const json shown = picture(page, file);
+    for (const json& number : shown["numbers"])
+        if (number["name"].get<std::string>().find(name) != std::string::npos)
+            return std::stod(number["value"].get<std::string>());
+    ADD_FAILURE() << file << " has no " << name;
+    return 0.0;
+}
+
+// Runs a picture's commands, with the folder as working directory, and expects the file that the page shows.
+void expect_made_by_its_commands(const json& picture, const fs::path& page_folder)
+{
+    const Folder folder;
+    std::string script = text("lambent() { '", LAMBENT_PROGRAM, "' \"$@\"; }\ncd '", folder.path(""), "'");
+    for (const json& command : picture["commands"])
+        script += text(" && ", command.get<std::string>());
+    const Outcome made = testing::run_program("sh", {"-c", script}, 120.0);
+    ASSERT_EQ(made.code, 0) << script << "\n" << made.error;
+    const std::string file = picture["file"];
+    EXPECT_TRUE(contents(folder.path(file)) == contents(page_folder / file))
+        << file << " is not what makes " << script;
+}
+
+TEST_F(Report, EveryPictureIsThereAsLargeAsItSays)
+{
+    std::set<std::string> files = {"index.html", "report.json"};
+    for_each_picture(page, [&](const json& picture) {
+        const std::string file = picture["file"];
+        files.insert(file);
+        const image::ImageInfo info = image::inspect(folder->path(text("out/", file)));
+        EXPECT_EQ(info.width, picture["width"]) << file;
+        EXPECT_EQ(info.height, picture["height"]) << file;
+        EXPECT_FALSE(picture["commands"].empty()) << file;
+    });
+    EXPECT_GT(files.size(), 50u);
+    std::set<std::string> there;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder->path("out")))
+        there.insert(entry.path().filename().string());
+    EXPECT_EQ(there, files);
+}
+
+TEST_F(Report, EveryCommandMakesItsPicture)
+{
+    int made = 0;
+    std::set<std::string> seen; // a picture may stand in two places
+    for_each_picture(page, [&](const json& picture) {
+        if (seen.insert(picture["file"]).second) {
+            expect_made_by_its_commands(picture, folder->path("out"));
+            ++made;
+        }
+    });
+    EXPECT_GT(made, 50);
+}
+
+TEST_F(Report, WithReferencesEveryCommandMakesItsPicture)
+{
+    const Folder small;
+    const Outcome traced = report(small.path("out"), {"--size", "96x54", "--spp", "4", "--noise", "0.2"});
+    ASSERT_EQ(traced.code, 0) << traced.error;
+    const json small_page = json::parse(contents(small.path("out/report.json")));
+    int references = 0, heat_maps = 0;
+    std::set<std::string> seen;
+    for_each_picture(small_page, [&](const json& picture) {
+        const std::string file = picture["file"];
+        const bool reference = file.ends_with("-reference.png"), heat = file.ends_with("-error.png");
+        if (!seen.insert(file).second || !(reference || heat))
+            return;
+        references += reference ? 1 : 0;
+        heat_maps += heat ? 1 : 0;
+        expect_made_by_its_commands(picture, small.path("out"));
+    });
+    EXPECT_GE(references, 8);
+    EXPECT_GE(heat_maps, 20);
+}
+
+// The report's own findings, on the numbers of the page.
+
+TEST_F(Report, LuminanceRisesWithExposureAndHighlightsKeepTheirHue)
+{
+    for (const std::string series : {"diffuse-linear-", "diffuse-nonlinear-", "background-"}) {
+        double before = 0.0;
+        for (const std::string exposure : {"0.1", "1", "7", "70", "700", "7000"}) {
+            if (exposure == "7000" && series != "background-")
+                continue;
+            const std::string file = text(series, exposure, ".png");
+            const double luminance = number(page, file, "luminance");
+            EXPECT_GT(luminance, before) << file;
+            before = luminance;
+            EXPECT_EQ(number(page, file, "hue"), 100.0) << file;
+        }
+    }
+}
+
+TEST_F(Report, LinearColourIsMoreSaturatedAt7And70)
+{
+    for (const std::string exposure : {"7", "70"})
+        EXPECT_GT(number(page, text("diffuse-linear-", exposure, ".png"), "saturation"),
+                  number(page, text("diffuse-nonlinear-", exposure, ".png"), "saturation"))
+            << exposure;
+}
+
+TEST_F(Report, TheHighlightIsAnOval)
+{
+    EXPECT_GT(number(page, "direct-oval.png", "on the plane"), 2.0);
+}
+
+TEST_F(Report, AtExponent1ASphereIsNearlyOneColour)
+{
+    const double flat = number(page, "specular-1-report.png", "spread");
+    EXPECT_LT(flat, 30.0);
+    for (const std::string exponent : {"625", "15625", "390625"})
+        EXPECT_GT(number(page, text("specular-", exponent, "-report.png"), "spread"), 3.0 * flat) << exponent;
+}
+
+TEST_F(Report, TheReportsLevelsShowBlocksAndOursDoNot)
+{
+    const double report = number(page, "blocks-report.png", "blockiness"),
+                 ours = number(page, "blocks-matched.png", "blockiness");
+    EXPECT_GT(report, 3.0);
+    EXPECT_LT(ours, 0.2 * report);
+}
+
+TEST_F(Report, ThePassesAddUp)
+{
+    EXPECT_LT(number(page, "passes-sum.png", "sum"), 1e-5);
+}
+
+TEST_F(Report, StatisticsAreOneObject)
+{
+    const json stats = json::parse(outcome.output);
+    EXPECT_EQ(stats["command"], "report");
+    EXPECT_GT(stats["times_ms"]["total"], 0.0);
+}
+
+// How it ends.
+
+void expect_refused(const Outcome& outcome, int code)
+{
+    EXPECT_EQ(outcome.code, code) << outcome.error;
+    EXPECT_EQ(outcome.error.rfind("lambent: error: ", 0), 0u) << outcome.error;
+    EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1) << outcome.error;
+}
+
+TEST(ReportEnd, BadInputLeavesNothing)
+{
+    const Folder folder;
+    expect_refused(report(folder.path("a"), {"--env", "none"}), 2);
+    expect_refused(report(folder.path("a"), {"--quick", "--spp", "4"}), 2);
+    expect_refused(report(folder.path("a"), {"--size", "8x8"}), 2);
+    expect_refused(testing::run_program(LAMBENT_PROGRAM, {"report"}), 2);
+    expect_refused(report(folder.path("a"), {"--quick", "--env", folder.path("missing.hdr")}), 3);
+    std::ofstream(folder.path("broken.hdr")) << "#?RADIANCE\nnot an image\n";
+    expect_refused(report(folder.path("a"), {"--quick", "--env", folder.path("broken.hdr")}), 3);
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"broken.hdr"});
+    expect_refused(report(folder.path("broken.hdr"), {"--quick"}), 5);
+    expect_refused(report(folder.path("broken.hdr/inside"), {"--quick"}), 5);
+}
+
+TEST(ReportEnd, APanoramaWithAnOddNameStandsInTheCommands)
+{
+    const Folder folder;
+    const std::string name = folder.path("it's a sky.hdr");
+    ASSERT_EQ(testing::run_program(LAMBENT_PROGRAM, {"env", "sky", "--size", "64x32", "-o", name}).code, 0);
+    const Outcome outcome =
+        report(folder.path("out"), {"--quick", "--size", "64x36", "--env", name, "--env-rotation", "90"});
+    ASSERT_EQ(outcome.code, 0) << outcome.error;
+    const json page = json::parse(contents(folder.path("out/report.json")));
+    expect_made_by_its_commands(picture(page, "background-7.png"), folder.path("out"));
+}
+
+TEST(ReportEnd, InterruptedItLeavesNothing)
+{
+    const Folder folder;
+    const std::string script = text("'", LAMBENT_PROGRAM, "' report -o '", folder.path("out"),
+                                    "' & pid=$!; sleep 1.5; kill -TERM $pid; wait $pid");
+    EXPECT_EQ(testing::run_program("sh", {"-c", script}).code, 128 + 15);
+    EXPECT_TRUE(folder.names().empty());
+}
+
+} // namespace
+} // namespace lambent
