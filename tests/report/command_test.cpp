@@ -94,18 +94,19 @@ double number(const json& page, const std::string& file, const std::string& name
     return 0.0;
 }
 
-// Runs a picture's commands, with the folder as working directory, and expects the file that the page shows.
-void expect_made_by_its_commands(const json& picture, const fs::path& page_folder)
+// Runs a picture's commands, in a folder of their own, and expects the file that the page shows. What they print.
+std::string expect_made_by_its_commands(const json& picture, const fs::path& page_folder)
 {
     const Folder folder;
     std::string script = text("lambent() { '", LAMBENT_PROGRAM, "' \"$@\"; }\ncd '", folder.path(""), "'");
     for (const json& command : picture["commands"])
         script += text(" && ", command.get<std::string>());
     const Outcome made = testing::run_program("sh", {"-c", script}, 120.0);
-    ASSERT_EQ(made.code, 0) << script << "\n" << made.error;
+    EXPECT_EQ(made.code, 0) << script << "\n" << made.error;
     const std::string file = picture["file"];
     EXPECT_TRUE(contents(folder.path(file)) == contents(page_folder / file))
         << file << " is not what makes " << script;
+    return made.output;
 }
 
 TEST_F(Report, EveryPictureIsThereAsLargeAsItSays)
@@ -154,7 +155,11 @@ TEST_F(Report, WithReferencesEveryCommandMakesItsPicture)
             return;
         references += reference ? 1 : 0;
         heat_maps += heat ? 1 : 0;
-        expect_made_by_its_commands(picture, small.path("out"));
+        const std::string said = expect_made_by_its_commands(picture, small.path("out"));
+        if (heat) { // what `lambent compare` says, to the two digits that are shown at least
+            const double error = 100.0 * json::parse(said)["relative_rmse"].get<double>();
+            EXPECT_NEAR(number(small_page, file, "error"), error, 0.05 * error) << file;
+        }
     });
     EXPECT_GE(references, 8);
     EXPECT_GE(heat_maps, 20);
