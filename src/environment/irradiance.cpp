@@ -127,19 +127,17 @@ Orders orders_at(double phi)
     return {1.0, std::cos(phi), std::sin(phi), std::cos(2.0 * phi), std::sin(2.0 * phi)};
 }
 
-// A row's light times each, by channel.
-std::array<Orders, 3> row_moments(const Panorama& panorama, int y, const std::vector<Orders>& columns)
+AzimuthOrders orders_of_columns(int width)
 {
-    std::array<Orders, 3> sum{};
-    for (int x = 0; x < panorama.width; ++x) {
-        const Rgb c = panorama.radiance(x, y);
-        const Orders& at = columns[static_cast<std::size_t>(x)];
-        const double rgb[3] = {c.r, c.g, c.b};
-        for (std::size_t k = 0; k < 3; ++k)
-            for (std::size_t m = 0; m < orders; ++m)
-                sum[k][m] += rgb[k] * at[m];
+    AzimuthOrders columns;
+    for (int x = 0; x < width; ++x) {
+        const Orders at = orders_at(((x + 0.5) / width - 0.5) * 2.0 * std::numbers::pi);
+        for (std::size_t m = 1; m < orders; ++m)
+            columns.rows[m - 1].push_back(static_cast<float>(at[m]));
     }
-    return sum;
+    for (std::vector<float>& row : columns.rows)
+        row.resize(row.size() + AzimuthOrders::padding);
+    return columns;
 }
 
 // The harmonics along a row as sums of the orders: by their values at five azimuths.
@@ -162,10 +160,7 @@ std::array<Orders, 9> row_harmonics(double up, double ring)
 
 HarmonicLight project_to_harmonics(const Panorama& panorama)
 {
-    std::vector<Orders> columns;
-    columns.reserve(static_cast<std::size_t>(panorama.width));
-    for (int x = 0; x < panorama.width; ++x)
-        columns.push_back(orders_at(((x + 0.5) / panorama.width - 0.5) * 2.0 * std::numbers::pi));
+    const AzimuthOrders columns = orders_of_columns(panorama.width);
     const auto add = [](HarmonicLight a, const HarmonicLight& b) {
         for (std::size_t k = 0; k < 3; ++k)
             for (std::size_t i = 0; i < 9; ++i)

@@ -79,6 +79,35 @@ HWY_FLATTEN void pack_row(const float* rgb, int count, float factor, uint32_t* t
         texels[x] = pack_rgb9e5(rgb[3 * x] * factor, rgb[3 * x + 1] * factor, rgb[3 * x + 2] * factor);
 }
 
+HWY_FLATTEN std::array<std::array<double, 5>, 3> row_moments(const Panorama& panorama, int y,
+                                                             const AzimuthOrders& orders)
+{
+    const auto* texels = reinterpret_cast<const int32_t*>(panorama.texels.data()) +
+                         static_cast<size_t>(y) * static_cast<size_t>(panorama.width);
+    vec3 sums[5] = {vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0)};
+    alignas(64) int32_t last[max_lanes] = {}; // no light in the lanes behind the row
+    for (int x = 0; x < panorama.width; x += static_cast<int>(lane_count)) {
+        const size_t count = lanes_left(x, panorama.width);
+        if (count < lane_count)
+            memcpy(last, texels + x, count * sizeof(int32_t));
+        const vec3 c = unpack_texel(hn::LoadU(IntTag(), count < lane_count ? last : texels + x));
+        sums[0] += c;
+        for (size_t i = 0; i < 4; ++i)
+            sums[i + 1] += Real(hn::LoadU(FloatTag(), orders.rows[i].data() + x)) * c;
+    }
+    std::array<std::array<double, 5>, 3> moments{};
+    const auto total = [&](Real r) HWY_ATTR {
+        return static_cast<double>(panorama.scale) *
+               static_cast<double>(hn::GetLane(hn::SumOfLanes(FloatTag(), r.v)));
+    };
+    for (size_t i = 0; i < 5; ++i) {
+        moments[0][i] = total(sums[i].x);
+        moments[1][i] = total(sums[i].y);
+        moments[2][i] = total(sums[i].z);
+    }
+    return moments;
+}
+
 HWY_FLATTEN void resample_row(const ResampleRow& row, CubeChain& chain)
 {
     const Panorama& p = *row.panorama;
@@ -140,6 +169,7 @@ HWY_AFTER_NAMESPACE();
 namespace lambent::environment {
 
 HWY_EXPORT(pack_row);
+HWY_EXPORT(row_moments);
 HWY_EXPORT(resample_row);
 HWY_EXPORT(blur_row);
 HWY_EXPORT(irradiance_row);
@@ -147,6 +177,11 @@ HWY_EXPORT(irradiance_row);
 void pack_row(const float* rgb, int count, float factor, std::uint32_t* texels)
 {
     HWY_DYNAMIC_DISPATCH(pack_row)(rgb, count, factor, texels);
+}
+
+std::array<std::array<double, 5>, 3> row_moments(const Panorama& panorama, int y, const AzimuthOrders& orders)
+{
+    return HWY_DYNAMIC_DISPATCH(row_moments)(panorama, y, orders);
 }
 
 void resample_row(const ResampleRow& row, CubeChain& chain)

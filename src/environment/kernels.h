@@ -4,6 +4,7 @@
 #include "environment/cube_chain.h"
 #include "environment/panorama.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 
@@ -11,6 +12,16 @@ namespace lambent::environment {
 
 /// Packs `count` RGB texels, multiplied by `factor`. Values must be finite and not negative.
 void pack_row(const float* rgb, int count, float factor, std::uint32_t* texels);
+
+/// Per column of a panorama: cosines and sines of the azimuth and of twice that.
+struct AzimuthOrders {
+    static constexpr std::size_t padding = 16; ///< more floats than columns: whole vectors are read
+    std::vector<float> rows[4];                ///< cos, sin, cos 2, sin 2
+};
+
+/// A row's radiance times 1 and times each of these, summed: [channel][order].
+std::array<std::array<double, 5>, 3> row_moments(const Panorama& panorama, int y,
+                                                 const AzimuthOrders& orders);
 
 /// A place within a texel, from 0 to 1 across and down.
 struct TexelPoint {

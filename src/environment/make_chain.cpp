@@ -3,7 +3,9 @@
 #include "environment/kernels.h"
 #include "environment/peaks.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
@@ -136,13 +138,16 @@ void add_peaks(const Peaks& peaks, int level, CubeChain& chain)
 
 float brightest_of(const Panorama& panorama)
 {
-    float most = 0.0f;
-    for (int y = 0; y < panorama.height; ++y)
-        for (int x = 0; x < panorama.width; ++x) {
-            const Rgb c = panorama.radiance(x, y);
-            most = std::max(most, std::max(c.r, std::max(c.g, c.b)));
-        }
-    return most;
+    const auto brightest_row = [&](const tbb::blocked_range<int>& rows, float most) {
+        for (int y = rows.begin(); y < rows.end(); ++y)
+            for (int x = 0; x < panorama.width; ++x) {
+                const Rgb c = panorama.radiance(x, y);
+                most = std::max(most, std::max(c.r, std::max(c.g, c.b)));
+            }
+        return most;
+    };
+    return tbb::parallel_reduce(tbb::blocked_range<int>(0, panorama.height, 32), 0.0f, brightest_row,
+                                [](float a, float b) { return std::max(a, b); });
 }
 
 // `apart` says which lamps are left out of which levels.
