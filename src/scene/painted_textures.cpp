@@ -49,7 +49,8 @@ image::CodeImage color_chart()
         for (int x = 0; x < image.width; ++x) {
             const bool between = x % cell < joint || y % cell < joint;
             const auto row = static_cast<std::size_t>(y / cell);
-            const double hue = static_cast<double>(x / cell) / columns;
+            const int column = x / cell;
+            const double hue = column / static_cast<double>(columns);
             put(image, x, y, between ? Color{0.86, 0.85, 0.82} : paint(hue, white[row], dark[row]));
         }
     return image;

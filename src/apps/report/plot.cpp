@@ -1,6 +1,7 @@
 #include "apps/report/plot.h"
 
 #include "apps/report/html.h"
+#include "base/text.h"
 
 #include <algorithm>
 #include <array>
@@ -163,11 +164,11 @@ std::string curve_html(const Curve& curve, std::size_t index, const Axes& axes)
             continue;
         }
         const std::string x = decimal(axes.at_x(curve.x[i])), y = decimal(axes.at_y(curve.y[i]));
-        points += (points.empty() ? "" : " ") + x + "," + y;
+        const std::string numbers = number_text(curve.x[i]) + ", " + number_text(curve.y[i]);
+        points += lambent::text(points.empty() ? "" : " ", x, ",", y);
         markers +=
-            "<path d=\"" + marker_path(index) + "\" transform=\"translate(" + x + " " + y + ")\">" +
-            element("title", curve.name + ": " + number_text(curve.x[i]) + ", " + number_text(curve.y[i])) +
-            "</path>\n";
+            lambent::text("<path d=\"", marker_path(index), "\" transform=\"translate(", x, " ", y, ")\">",
+                          element("title", lambent::text(curve.name, ": ", numbers)), "</path>\n");
     }
     end_line();
     return "<g" + curve_class(index) + ">\n" + lines + markers + "</g>\n";
