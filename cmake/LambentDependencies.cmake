@@ -19,6 +19,9 @@ pkg_check_modules(HWY REQUIRED IMPORTED_TARGET libhwy)
 # Without it KTX 2 files are written uncompressed only.
 pkg_check_modules(ZSTD IMPORTED_TARGET libzstd)
 
+# Vulkan's headers and volk, which opens the library when the program runs (package libvulkan-volk-dev).
+find_path(LAMBENT_VOLK_HEADERS volk.h DOC "volk and Vulkan's headers")
+
 # Embree 3 (Debian 12, Ubuntu 22.04) or 4 (later); src/trace/embree.h hides the difference.
 find_package(embree 4 QUIET)
 if(NOT embree_FOUND)

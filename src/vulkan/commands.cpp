@@ -1,0 +1,182 @@
+#include "vulkan/commands.h"
+
+#include <stdexcept>
+
+namespace lambent::vulkan {
+namespace {
+
+constexpr std::uint64_t longest_wait =
+    60'000'000'000; // nanoseconds: a picture takes a second where all is well
+
+VkImageMemoryBarrier2 whole(const Texture& texture)
+{
+    auto barrier = typed<VkImageMemoryBarrier2>(VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2);
+    barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
+    barrier.image = texture.image();
+    barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, texture.shape().levels, 0, texture.layers()};
+    return barrier;
+}
+
+} // namespace
+
+Commands::Commands(const Device& device) : device_(device)
+{
+    auto pool = typed<VkCommandPoolCreateInfo>(VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO);
+    pool.queueFamilyIndex = device.queue_family();
+    check(device.call().vkCreateCommandPool(device.handle(), &pool, nullptr, &pool_),
+          "making room for commands");
+    try {
+        auto info = typed<VkCommandBufferAllocateInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO);
+        info.commandPool = pool_;
+        info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
+        info.commandBufferCount = 1;
+        check(device.call().vkAllocateCommandBuffers(device.handle(), &info, &buffer_), "making commands");
+        auto begin = typed<VkCommandBufferBeginInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO);
+        begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+        check(device.call().vkBeginCommandBuffer(buffer_, &begin), "beginning commands");
+        if (device.timestamp_period() > 0.0) {
+            auto clock = typed<VkQueryPoolCreateInfo>(VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO);
+            clock.queryType = VK_QUERY_TYPE_TIMESTAMP;
+            clock.queryCount = most_laps + 1;
+            check(device.call().vkCreateQueryPool(device.handle(), &clock, nullptr, &clock_),
+                  "making a clock");
+            device.call().vkCmdResetQueryPool(buffer_, clock_, 0, most_laps + 1);
+        }
+    } catch (...) {
+        device.call().vkDestroyCommandPool(device.handle(), pool_, nullptr);
+        throw;
+    }
+}
+
+Commands::~Commands()
+{
+    device_.call().vkDestroyQueryPool(device_.handle(), clock_, nullptr);
+    device_.call().vkDestroyCommandPool(device_.handle(), pool_, nullptr);
+}
+
+// Everything before is done and seen by everything after. The work here is a chain of large steps that need each other:
+// finer barriers would win nothing.
+void Commands::barrier() const
+{
+    auto memory = typed<VkMemoryBarrier2>(VK_STRUCTURE_TYPE_MEMORY_BARRIER_2);
+    memory.srcStageMask = memory.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    memory.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
+    memory.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
+    auto info = typed<VkDependencyInfo>(VK_STRUCTURE_TYPE_DEPENDENCY_INFO);
+    info.memoryBarrierCount = 1;
+    info.pMemoryBarriers = &memory;
+    device_.call().vkCmdPipelineBarrier2(buffer_, &info);
+}
+
+void Commands::stamp(std::uint32_t index) const
+{
+    if (clock_ != VK_NULL_HANDLE)
+        device_.call().vkCmdWriteTimestamp2(buffer_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, clock_, index);
+}
+
+void Commands::dispatch(const ComputePipeline& pipeline, const BindingSet& set,
+                        std::span<const std::byte> push, const Groups& groups)
+{
+    if (push.size() != pipeline.push_bytes())
+        throw std::invalid_argument("a shader is given another number of constants than it takes");
+    const VolkDeviceTable& call = device_.call();
+    const VkDescriptorSet handle = set.handle();
+    call.vkCmdBindPipeline(buffer_, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());
+    call.vkCmdBindDescriptorSets(buffer_, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout(), 0, 1, &handle, 0,
+                                 nullptr);
+    if (!push.empty())
+        call.vkCmdPushConstants(buffer_, pipeline.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0,
+                                static_cast<std::uint32_t>(push.size()), push.data());
+    call.vkCmdDispatch(buffer_, groups.x, groups.y, groups.z);
+    barrier();
+}
+
+void Commands::copy(const Buffer& from, const Buffer& to, VkDeviceSize bytes)
+{
+    const VkBufferCopy region = {0, 0, bytes};
+    device_.call().vkCmdCopyBuffer(buffer_, from.handle(), to.handle(), 1, &region);
+    barrier();
+}
+
+void Commands::fill(const Texture& texture, const Buffer& from, std::span<const LevelBytes> levels)
+{
+    auto info = typed<VkDependencyInfo>(VK_STRUCTURE_TYPE_DEPENDENCY_INFO);
+    info.imageMemoryBarrierCount = 1;
+    VkImageMemoryBarrier2 before = whole(texture);
+    before.dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
+    before.dstAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
+    before.newLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+    info.pImageMemoryBarriers = &before;
+    device_.call().vkCmdPipelineBarrier2(buffer_, &info);
+    std::vector<VkBufferImageCopy> regions;
+    for (const LevelBytes& part : levels) {
+        VkBufferImageCopy region{};
+        region.bufferOffset = part.offset;
+        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, part.level, 0, texture.layers()};
+        region.imageExtent = {std::max(texture.shape().width >> part.level, 1u),
+                              std::max(texture.shape().height >> part.level, 1u), 1};
+        regions.push_back(region);
+    }
+    device_.call().vkCmdCopyBufferToImage(buffer_, from.handle(), texture.image(),
+                                          VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                                          static_cast<std::uint32_t>(regions.size()), regions.data());
+    VkImageMemoryBarrier2 after = whole(texture);
+    after.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
+    after.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
+    after.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    after.dstAccessMask = VK_ACCESS_2_SHADER_SAMPLED_READ_BIT;
+    after.oldLayout = VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL;
+    after.newLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
+    info.pImageMemoryBarriers = &after;
+    device_.call().vkCmdPipelineBarrier2(buffer_, &info);
+}
+
+void Commands::lap(const std::string& name)
+{
+    if (names_.size() >= most_laps)
+        throw std::length_error("more passes than the clock has room for");
+    stamp(static_cast<std::uint32_t>(names_.size()));
+    names_.push_back(name);
+}
+
+void Commands::run()
+{
+    const VolkDeviceTable& call = device_.call();
+    stamp(static_cast<std::uint32_t>(names_.size()));
+    check(call.vkEndCommandBuffer(buffer_), "ending commands");
+    auto info = typed<VkFenceCreateInfo>(VK_STRUCTURE_TYPE_FENCE_CREATE_INFO);
+    VkFence fence = VK_NULL_HANDLE;
+    check(call.vkCreateFence(device_.handle(), &info, nullptr, &fence), "making a fence");
+    auto commands = typed<VkCommandBufferSubmitInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO);
+    commands.commandBuffer = buffer_;
+    auto submit = typed<VkSubmitInfo2>(VK_STRUCTURE_TYPE_SUBMIT_INFO_2);
+    submit.commandBufferInfoCount = 1;
+    submit.pCommandBufferInfos = &commands;
+    VkResult result = call.vkQueueSubmit2(device_.queue(), 1, &submit, fence);
+    if (result == VK_SUCCESS)
+        result = call.vkWaitForFences(device_.handle(), 1, &fence, VK_TRUE, longest_wait);
+    if (result == VK_TIMEOUT) // what still runs must not lose its memory
+        call.vkDeviceWaitIdle(device_.handle());
+    call.vkDestroyFence(device_.handle(), fence, nullptr);
+    check(result, "working on " + device_.name());
+    if (clock_ == VK_NULL_HANDLE)
+        return;
+    stamps_.resize(names_.size() + 1);
+    check(call.vkGetQueryPoolResults(device_.handle(), clock_, 0, static_cast<std::uint32_t>(stamps_.size()),
+                                     stamps_.size() * sizeof(std::uint64_t), stamps_.data(),
+                                     sizeof(std::uint64_t),
+                                     VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
+          "reading the clock");
+}
+
+std::vector<std::pair<std::string, double>> Commands::laps() const
+{
+    std::vector<std::pair<std::string, double>> laps;
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+        const double steps = i + 1 < stamps_.size() ? static_cast<double>(stamps_[i + 1] - stamps_[i]) : 0.0;
+        laps.emplace_back(names_[i], steps * device_.timestamp_period() * 1e-6);
+    }
+    return laps;
+}
+
+} // namespace lambent::vulkan

@@ -1,0 +1,49 @@
+// One device with one queue, and what is asked of its memory.
+#pragma once
+
+#include "vulkan/instance.h"
+
+#include <memory>
+
+namespace lambent::vulkan {
+
+/// Used by one thread at a time.
+class Device {
+public:
+    /// The instance must outlive it. Throws Error(no_device).
+    Device(const Instance& instance, const Candidate& candidate);
+    ~Device();
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+
+    VkDevice handle() const { return device_; }
+    VkQueue queue() const { return queue_; }
+    std::uint32_t queue_family() const { return family_; }
+    const VolkDeviceTable& call() const { return table_; } ///< functions of this device, without detours
+    const std::string& name() const { return candidate_.name; }
+    bool is_software() const { return candidate_.software; }
+    const VkPhysicalDeviceProperties& properties() const { return properties_; }
+    VkPhysicalDevice physical() const { return candidate_.device; }
+
+    /// Nanoseconds of one step of a timestamp; 0 where the queue has none.
+    double timestamp_period() const { return timestamp_period_; }
+
+    /// Index of a memory type out of `allowed` (bits) with all `needed` properties, one with the `liked` ones before
+    /// others. Throws Error(no_device) where there is none.
+    std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags needed,
+                              VkMemoryPropertyFlags liked) const;
+
+private:
+    void find_queue_family();
+
+    Candidate candidate_;
+    VkPhysicalDeviceProperties properties_{};
+    VkPhysicalDeviceMemoryProperties memory_{};
+    std::uint32_t family_ = 0;
+    double timestamp_period_ = 0.0;
+    VkDevice device_ = VK_NULL_HANDLE;
+    VkQueue queue_ = VK_NULL_HANDLE;
+    VolkDeviceTable table_{};
+};
+
+} // namespace lambent::vulkan

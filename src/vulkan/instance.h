@@ -1,0 +1,68 @@
+// The Vulkan library at work, and which devices it knows.
+#pragma once
+
+#include "vulkan/api.h"
+
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace lambent::vulkan {
+
+/// What the validation layer has said, from any thread.
+class Complaints {
+public:
+    void add(const char* message);
+    std::vector<std::string> all() const;
+
+private:
+    mutable std::mutex mutex_;
+    std::vector<std::string> messages_;
+};
+
+/// A device that could be used.
+struct Candidate {
+    VkPhysicalDevice device = VK_NULL_HANDLE;
+    std::string name;
+    bool software = false; ///< runs on the processor (llvmpipe)
+    bool fit =
+        false; ///< Vulkan 1.3, with a queue for graphics and compute and all features that Device asks for
+    std::string lacks;       ///< where not fit: what is missing
+    VkDeviceSize memory = 0; ///< bytes of its own
+};
+
+class Instance {
+public:
+    /// With `validation`, the Khronos validation layer watches where it is installed. Throws Error(no_device).
+    explicit Instance(bool validation = false);
+    ~Instance();
+    Instance(const Instance&) = delete;
+    Instance& operator=(const Instance&) = delete;
+
+    VkInstance handle() const { return instance_; }
+    bool validated() const { return messenger_ != VK_NULL_HANDLE; }
+    std::vector<std::string> complaints() const { return complaints_.all(); }
+
+    /// Every device, in the library's order.
+    std::vector<Candidate> devices() const;
+
+private:
+    void watch();
+
+    VkInstance instance_ = VK_NULL_HANDLE;
+    VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+    Complaints complaints_;
+};
+
+/// Which devices may be chosen.
+enum class Choice {
+    hardware, ///< `--backend auto`: only what is faster than the processor itself
+    any,      ///< `--backend vulkan`: hardware first, else software
+};
+
+/// The best of the devices: discrete or otherwise with memory of its own first, the one with most memory, software last.
+/// Throws Error(no_device) that says what there was and why it will not do.
+Candidate choose(const std::vector<Candidate>& devices, Choice choice);
+
+} // namespace lambent::vulkan

@@ -1,0 +1,99 @@
+// Buffers and pictures on a device. All throw Error(no_device) where memory does not suffice.
+#pragma once
+
+#include "vulkan/device.h"
+
+#include <cstddef>
+#include <span>
+#include <utility>
+
+namespace lambent::vulkan {
+
+/// Who touches a buffer's memory.
+enum class Place {
+    device,   ///< only the device; filled and read by copies
+    upload,   ///< written by the processor, read by the device
+    readback, ///< written by the device, read by the processor
+};
+
+class Buffer {
+public:
+    /// `bytes` above 0.
+    Buffer(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage, Place place);
+    Buffer(Buffer&& other) noexcept { swap(other); }
+    Buffer& operator=(Buffer&& other) noexcept
+    {
+        swap(other);
+        return *this;
+    }
+    ~Buffer();
+
+    VkBuffer handle() const { return buffer_; }
+    VkDeviceSize bytes() const { return bytes_; }
+
+    /// The memory itself; not for Place::device.
+    std::span<std::byte> memory() const { return {static_cast<std::byte*>(mapped_), bytes_}; }
+
+private:
+    void swap(Buffer& other) noexcept
+    {
+        std::swap(device_, other.device_);
+        std::swap(buffer_, other.buffer_);
+        std::swap(memory_, other.memory_);
+        std::swap(bytes_, other.bytes_);
+        std::swap(mapped_, other.mapped_);
+    }
+    void release();
+
+    const Device* device_ = nullptr;
+    VkBuffer buffer_ = VK_NULL_HANDLE;
+    VkDeviceMemory memory_ = VK_NULL_HANDLE;
+    VkDeviceSize bytes_ = 0;
+    void* mapped_ = nullptr;
+};
+
+struct TextureShape {
+    VkFormat format = VK_FORMAT_R16G16B16A16_SFLOAT;
+    std::uint32_t width = 1, height = 1;
+    std::uint32_t levels = 1;
+    bool cube = false; ///< six layers, seen as a cube
+    VkImageUsageFlags usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+};
+
+class Texture {
+public:
+    Texture(const Device& device, const TextureShape& shape);
+    Texture(Texture&& other) noexcept { swap(other); }
+    Texture& operator=(Texture&& other) noexcept
+    {
+        swap(other);
+        return *this;
+    }
+    ~Texture();
+
+    VkImage image() const { return image_; }
+    VkImageView view() const { return view_; }
+    const TextureShape& shape() const { return shape_; }
+    std::uint32_t layers() const { return shape_.cube ? 6 : 1; }
+
+private:
+    void swap(Texture& other) noexcept
+    {
+        std::swap(device_, other.device_);
+        std::swap(image_, other.image_);
+        std::swap(view_, other.view_);
+        std::swap(memory_, other.memory_);
+        std::swap(shape_, other.shape_);
+    }
+    void make_image();
+    void make_view();
+    void release();
+
+    const Device* device_ = nullptr;
+    VkImage image_ = VK_NULL_HANDLE;
+    VkImageView view_ = VK_NULL_HANDLE;
+    VkDeviceMemory memory_ = VK_NULL_HANDLE;
+    TextureShape shape_;
+};
+
+} // namespace lambent::vulkan
