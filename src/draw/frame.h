@@ -4,6 +4,7 @@
 #include "image/image.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lambent::draw {
@@ -27,6 +28,9 @@ struct Layer {
 struct Frame {
     image::RadianceImage radiance; ///< RGBA, before exposure and tone curve; alpha is coverage by surfaces
     std::vector<Layer> layers;     ///< when asked for; the light layers add up to `radiance`
+
+    /// Passes of a device and the milliseconds that each took there; none from the CPU renderer.
+    std::vector<std::pair<std::string, double>> passes;
 };
 
 } // namespace lambent::draw

@@ -190,13 +190,18 @@ RenderArguments finished(const Words& words, RenderArguments arguments)
     apply_material(words, arguments);
     apply_display(words, arguments);
     if (!words.backend.empty())
-        choose<bool>(words.backend, "--backend", {{"auto", true}, {"cpu", true}});
+        arguments.backend = choose<Backend>(
+            words.backend, "--backend",
+            {{"auto", Backend::automatic}, {"cpu", Backend::cpu}, {"vulkan", Backend::vulkan}});
     return arguments;
 }
 
 ReferenceArguments finished(const Words& words, ReferenceArguments arguments)
 {
     arguments.picture = finished(words, arguments.picture);
+    if (arguments.picture.backend == Backend::vulkan)
+        throw Error(Failure::usage,
+                    "--backend: vulkan draws, but does not trace: references are made by cpu");
     if (!words.bounces.empty())
         arguments.bounces = whole_in(words.bounces, "--bounces", 0, 1024);
     if (!words.spp.empty())
@@ -304,7 +309,7 @@ struct Grammar {
         add_view(command, picture, words);
         add_material(command, words);
         add_display(command, picture, words);
-        option(command, "--backend", words.backend, "NAME", "auto or cpu (auto)");
+        option(command, "--backend", words.backend, "NAME", "auto, cpu, or to draw vulkan (auto)");
         add_common(command, words);
     }
 

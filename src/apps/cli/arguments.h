@@ -24,8 +24,12 @@ struct CommonOptions {
     bool stats_json = false;
 };
 
+/// Who draws. Automatic is the processor: see docs/VULKAN.md.
+enum class Backend { automatic, cpu, vulkan };
+
 struct RenderArguments {
     CommonOptions common;
+    Backend backend = Backend::automatic;
     std::string scene;
     std::string environment = "kitchen";
     bool cache = true; ///< of environments

@@ -2,13 +2,13 @@
 #include "apps/cli/console.h"
 #include "apps/cli/layer_files.h"
 #include "apps/cli/load_environment.h"
+#include "apps/cli/make_renderer.h"
 #include "apps/cli/picture_file.h"
 #include "apps/cli/picture_setup.h"
 #include "apps/cli/stats.h"
 #include "apps/cli/stopwatch.h"
 #include "apps/cli/threads.h"
 #include "base/text.h"
-#include "draw/cpu/cpu_renderer.h"
 
 #include <nlohmann/json.hpp>
 
@@ -66,7 +66,7 @@ void run(const RenderArguments& arguments)
     draw::Settings settings = arguments.settings;
     settings.camera = choose_camera(arguments, scene);
     settings.layers = !arguments.layers.empty();
-    const std::unique_ptr<draw::Renderer> renderer = draw::make_cpu_renderer(scene);
+    const std::unique_ptr<draw::Renderer> renderer = make_renderer(arguments, scene);
     const draw::Frame frame = renderer->draw(loaded.environment ? &*loaded.environment : nullptr, settings,
                                              [&](float done) { console.progress(done); });
     console.end_progress();
@@ -77,6 +77,8 @@ void run(const RenderArguments& arguments)
     if (arguments.common.stats_json) {
         nlohmann::ordered_json stats = describe(arguments, scene, *renderer);
         stats["environment_cached"] = loaded.cached;
+        for (const auto& [pass, milliseconds] : frame.passes)
+            stats["device_ms"][pass] = milliseconds;
         add_cost(watch, stats);
         print(stats);
     }

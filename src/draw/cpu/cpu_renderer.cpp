@@ -97,7 +97,10 @@ private:
 
 class CpuRenderer : public Renderer {
 public:
-    explicit CpuRenderer(const scene::Scene& scene) : scene_(scene) {}
+    explicit CpuRenderer(const scene::Scene& scene, MakeLighter make_lighter = {})
+        : scene_(scene), make_lighter_(std::move(make_lighter))
+    {
+    }
 
     Frame draw(const environment::Environment* environment, const Settings& settings,
                const std::function<void(float)>& progress) override
@@ -109,7 +112,7 @@ public:
         std::vector<environment::Panorama> mips;
         if (environment && settings.model == Model::phong && as_report)
             mips = environment::mip_chain(environment->panorama);
-        Picture picture{*prepared_, settings, {}, {}, {}, {}};
+        Picture picture{*prepared_, settings, {}, {}, {}, {}, -1.0f, nullptr};
         picture.rays = ray_map(settings.camera, settings.width, settings.height);
         picture.lights = light_sources(scene_.lights, settings.lights);
         picture.edges = edges_of(settings);
@@ -126,7 +129,13 @@ public:
         if (environment)
             picture.background_level =
                 static_cast<float>(background_level(*environment, settings, picture.rays));
-        return draw_tiles(picture, progress);
+        const std::unique_ptr<FragmentLighter> lighter =
+            make_lighter_ ? make_lighter_(picture.light, picture.lights) : nullptr;
+        picture.lighter = lighter.get();
+        Frame frame = draw_tiles(picture, progress);
+        if (lighter)
+            frame.passes = lighter->passes();
+        return frame;
     }
 
     Device device() const override
@@ -152,7 +161,7 @@ private:
     {
         const Settings& settings = picture.settings;
         Frame frame = blank_frame(settings);
-        constexpr int size = TileDrawer::size;
+        const int size = picture.lighter ? TileDrawer::largest_size : TileDrawer::usual_size;
         const int columns = (settings.width + size - 1) / size, rows = (settings.height + size - 1) / size;
         Progress progress(report, columns * rows);
         tbb::enumerable_thread_specific<TileDrawer> drawers([&] { return TileDrawer(picture); });
@@ -166,6 +175,7 @@ private:
     }
 
     const scene::Scene& scene_;
+    MakeLighter make_lighter_; ///< empty: the processor
     std::optional<PreparedScene> prepared_;
     TexelTransfer prepared_transfer_ = TexelTransfer::srgb;
 };
@@ -175,6 +185,11 @@ private:
 std::unique_ptr<Renderer> make_cpu_renderer(const scene::Scene& scene)
 {
     return std::make_unique<CpuRenderer>(scene);
+}
+
+std::unique_ptr<Renderer> make_cpu_renderer(const scene::Scene& scene, MakeLighter make_lighter)
+{
+    return std::make_unique<CpuRenderer>(scene, std::move(make_lighter));
 }
 
 } // namespace lambent::draw

@@ -254,10 +254,23 @@ void TileDrawer::place_fragments()
     }
 }
 
-void TileDrawer::light_group(const Fragments::Group& group)
+void TileDrawer::find_group(const Fragments::Group& group)
+{
+    SurfaceContext context = picture_.scene.surface(group.instance);
+    context.rays = picture_.rays;
+    context.model = picture_.settings.model;
+    find_surfaces(context, group.begin, group.end, fragments_);
+}
+
+void TileDrawer::darken(const Fragments::Group& group)
 {
     for (std::size_t c = direct_r; c < column_count; ++c)
         std::fill(fragments_[Column(c)] + group.begin, fragments_[Column(c)] + group.end, 0.0f);
+}
+
+void TileDrawer::light_group(const Fragments::Group& group)
+{
+    darken(group);
     if (picture_.scene.surface(group.instance).material->unlit)
         return;
     if (!picture_.lights.empty())
@@ -271,12 +284,18 @@ void TileDrawer::light_group(const Fragments::Group& group)
 void TileDrawer::shade()
 {
     for (const Fragments::Group& group : fragments_.groups) {
-        SurfaceContext context = picture_.scene.surface(group.instance);
-        context.rays = picture_.rays;
-        context.model = picture_.settings.model;
-        find_surfaces(context, group.begin, group.end, fragments_);
-        light_group(group);
+        find_group(group);
+        if (picture_.lighter)
+            darken(group);
+        else
+            light_group(group);
     }
+    if (!picture_.lighter || fragments_.size() == 0)
+        return;
+    picture_.lighter->light(fragments_);
+    for (const Fragments::Group& group : fragments_.groups)
+        if (picture_.scene.surface(group.instance).material->unlit)
+            darken(group);
 }
 
 // The looks that go on behind what is transparent; what is seen there has the weight that is left.
@@ -339,7 +358,7 @@ void TileDrawer::add_background(Frame& frame, const TileArea& area)
                                                     background.kind == Background::Kind::blurred);
     if (!lit && background.kind != Background::Kind::color)
         return;
-    alignas(64) float row[3][size];
+    alignas(64) float row[3][largest_size];
     for (std::size_t channel = 0; channel < 3; ++channel)
         std::fill(std::begin(row[channel]), std::end(row[channel]),
                   background.color[static_cast<int>(channel)]);

@@ -1,6 +1,7 @@
 // One tile of a picture, from rays to radiance: the deferred passes over a G-buffer that stays in the cache.
 #pragma once
 
+#include "draw/cpu/fragment_lighter.h"
 #include "draw/cpu/fragments.h"
 #include "draw/cpu/light_kernel.h"
 #include "draw/cpu/sight.h"
@@ -30,7 +31,8 @@ struct Picture {
     LightContext light;
     std::vector<LightSource> lights;
     Edges edges;
-    float background_level = -1.0f; ///< of blur; below 0: the panorama itself
+    float background_level = -1.0f;     ///< of blur; below 0: the panorama itself
+    FragmentLighter* lighter = nullptr; ///< null: the processor
 };
 
 struct TileArea {
@@ -47,11 +49,12 @@ struct Seen {
 /// Draws tiles one after the other; one per thread.
 class TileDrawer {
 public:
-    static constexpr int size = 32;
+    static constexpr int usual_size = 32;    ///< its fragments stay in the cache
+    static constexpr int largest_size = 256; ///< for who is slow to be called
 
     explicit TileDrawer(const Picture& picture);
 
-    /// Draws into the frame's pixels of the area, at most size x size.
+    /// Draws into the frame's pixels of the area, at most largest_size wide and high.
     void draw(const TileArea& area, Frame& frame);
 
 private:
@@ -63,7 +66,9 @@ private:
     void place_fragments();
     void place_fragment(const Look& look, std::size_t at);
     void shade();
+    void find_group(const Fragments::Group& group);
     void light_group(const Fragments::Group& group);
+    void darken(const Fragments::Group& group);
     void look_behind();
     void resolve(Frame& frame, const TileArea& area);
     void add_background(Frame& frame, const TileArea& area);

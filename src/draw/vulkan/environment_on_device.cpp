@@ -1,0 +1,117 @@
+#include "draw/vulkan/environment_on_device.h"
+
+#include "environment/packed_texel.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace lambent::draw {
+namespace {
+
+using environment::CubeChain, environment::Panorama;
+using vulkan::Buffer, vulkan::Device, vulkan::LevelBytes, vulkan::Texture, vulkan::TextureShape;
+
+TextureShape cube_shape(const CubeChain* cube)
+{
+    TextureShape shape;
+    shape.format = VK_FORMAT_R16G16B16A16_SFLOAT;
+    shape.cube = true;
+    if (cube) {
+        shape.width = shape.height = static_cast<std::uint32_t>(cube->face_size(0));
+        shape.levels = static_cast<std::uint32_t>(cube->levels);
+    }
+    return shape;
+}
+
+TextureShape mips_shape(const std::vector<Panorama>* mips)
+{
+    TextureShape shape;
+    shape.format = VK_FORMAT_R32G32B32A32_SFLOAT;
+    if (mips) {
+        shape.width = static_cast<std::uint32_t>(mips->front().width);
+        shape.height = static_cast<std::uint32_t>(mips->front().height);
+        shape.levels = static_cast<std::uint32_t>(mips->size());
+    }
+    return shape;
+}
+
+// Copies through memory that the processor can write.
+template <class Fill>
+void upload(const Device& device, const Texture& texture, std::uint32_t texel_bytes, const Fill& fill)
+{
+    std::vector<LevelBytes> levels;
+    VkDeviceSize bytes = 0;
+    const TextureShape& shape = texture.shape();
+    for (std::uint32_t level = 0; level < shape.levels; ++level) {
+        levels.push_back({level, bytes});
+        bytes += VkDeviceSize{texel_bytes} * std::max(shape.width >> level, 1u) *
+                 std::max(shape.height >> level, 1u) * texture.layers();
+    }
+    const Buffer staging(device, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, vulkan::Place::upload);
+    std::memset(staging.memory().data(), 0, bytes);
+    fill(staging.memory().data(), levels);
+    vulkan::Commands commands(device);
+    commands.fill(texture, staging, levels);
+    commands.run();
+}
+
+// Without the border, which devices have of their own.
+void fill_cube(const CubeChain& cube, std::byte* memory, const std::vector<LevelBytes>& levels)
+{
+    for (const LevelBytes& part : levels) {
+        const int level = static_cast<int>(part.level), size = cube.face_size(level);
+        tbb::parallel_for(0, 6 * size, [&](int row) {
+            const std::uint16_t* from = cube.halfs() + 3 * cube.texel(level, row / size, 0, row % size);
+            std::vector<std::uint16_t> texels(static_cast<std::size_t>(4 * size));
+            for (std::size_t x = 0; x < static_cast<std::size_t>(size); ++x)
+                std::copy_n(from + 3 * x, 3, texels.data() + 4 * x);
+            const std::size_t bytes = texels.size() * sizeof(std::uint16_t);
+            std::memcpy(memory + part.offset + static_cast<std::size_t>(row) * bytes, texels.data(), bytes);
+        });
+    }
+}
+
+void fill_mips(const std::vector<Panorama>& mips, std::byte* memory, const std::vector<LevelBytes>& levels)
+{
+    for (const LevelBytes& part : levels) {
+        const Panorama& panorama = mips[part.level];
+        tbb::parallel_for(0, panorama.height, [&](int y) {
+            std::vector<float> texels(static_cast<std::size_t>(4 * panorama.width));
+            for (int x = 0; x < panorama.width; ++x) {
+                const environment::Rgb c = panorama.radiance(x, y);
+                float* texel = texels.data() + 4 * x;
+                texel[0] = c.r, texel[1] = c.g, texel[2] = c.b;
+            }
+            const std::size_t bytes = texels.size() * sizeof(float);
+            std::memcpy(memory + part.offset + static_cast<std::size_t>(y) * bytes, texels.data(), bytes);
+        });
+    }
+}
+
+} // namespace
+
+EnvironmentOnDevice::EnvironmentOnDevice(const Device& device, const environment::Environment* environment,
+                                         const std::vector<Panorama>* mips)
+    : clamped_(device, false), around_(device, true),
+      chain_(device, cube_shape(environment ? &environment->chain : nullptr)),
+      irradiance_(device, cube_shape(environment ? &environment->irradiance : nullptr)),
+      mips_(device, mips_shape(mips))
+{
+    constexpr std::uint32_t halfs = 8, floats = 16;
+    upload(device, chain_, halfs, [&](std::byte* memory, const std::vector<LevelBytes>& levels) {
+        if (environment)
+            fill_cube(environment->chain, memory, levels);
+    });
+    upload(device, irradiance_, halfs, [&](std::byte* memory, const std::vector<LevelBytes>& levels) {
+        if (environment)
+            fill_cube(environment->irradiance, memory, levels);
+    });
+    upload(device, mips_, floats, [&](std::byte* memory, const std::vector<LevelBytes>& levels) {
+        if (mips)
+            fill_mips(*mips, memory, levels);
+    });
+}
+
+} // namespace lambent::draw

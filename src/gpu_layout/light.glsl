@@ -1,0 +1,75 @@
+// What a lighting shader and its program agree on: the same text in GLSL and, by light.h, in C++. Numbers and vectors of
+// four only, so that both languages lay it out alike.
+
+// Bindings of set 0.
+const int binding_fragments = 0;
+const int binding_picture = 1;
+const int binding_lights = 2;
+const int binding_samples = 3;
+const int binding_lamps = 4;
+const int binding_albedo = 5;
+const int binding_chain = 6;
+const int binding_irradiance = 7;
+const int binding_mips = 8;
+const int binding_count = 9;
+
+// Specialization constants.
+const int constant_pass = 0;
+const int constant_model = 1;
+const int constant_levels = 2;
+
+const int pass_direct = 0;
+const int pass_ambient = 1;
+const int pass_specular = 2;
+const int model_ggx = 0;
+const int model_phong = 1;
+const int levels_matched = 0;
+const int levels_report = 1;
+
+// Fragments: value `column` of fragment i is at column * capacity + i.
+const int column_position = 0;
+const int column_view = 3;
+const int column_normal = 6;
+const int column_mirrored_dx = 9;
+const int column_mirrored_dy = 12;
+const int column_base = 15;
+const int column_specular = 18;
+const int column_gloss = 21;
+const int column_metalness = 22;
+const int column_occlusion = 23;
+const int column_direct = 24;
+const int column_irradiance = 27;
+const int column_ambient = 30;
+const int column_reflected = 33;
+const int column_count = 36;
+
+const int group_size = 64;
+
+// What all fragments of a picture share.
+struct PictureRecord {
+    vec4 across;     // xyz: to the right of the camera, unit length
+    vec4 rotation;   // cosine and sine of the environment's turn; ambient brightness; energy compensation, 0 or 1
+    vec4 chain;      // scale; angular variance of level 1; of the last level with lamps, and of the first without
+    vec4 maps;       // scale of the irradiance map; the report's base level
+    ivec4 fragments; // capacity; count; lights; lamps
+    ivec4 samples;   // count; size of the albedo table
+};
+
+// A light: local ones stand at a place, others are infinitely far away.
+struct LightRecord {
+    vec4 position_local; // w: 1 if local
+    vec4 intensity_range; // candela or lux; w: 1 / range
+    vec4 axis_inner;      // the way it travels; w: cosine of the inner cone
+    vec4 outer;           // x: cosine of the outer cone
+};
+
+// A point of the sample tables.
+struct SampleRecord {
+    vec4 cap;  // xi2, cosine, sine; w: x in the pixel
+    vec4 lobe; // log2 xi2, cosine, sine; w: y in the pixel
+};
+
+struct LampRecord {
+    vec4 direction;
+    vec4 light; // radiance times solid angle
+};

@@ -1,0 +1,73 @@
+// `--backend vulkan` as its users meet it.
+#include "tests/cli/lambent.h"
+
+#include "image/image_io.h"
+
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace lambent {
+namespace {
+
+using nlohmann::json;
+using testing::Folder;
+using testing::Outcome;
+
+Outcome drawn(const std::string& output, const std::vector<std::string>& more)
+{
+    std::vector<std::string> words = {"render", "report", "-o", output, "--size", "96x54"};
+    words.insert(words.end(), more.begin(), more.end());
+    return lambent(words);
+}
+
+void expect_refused(const Outcome& outcome, int code)
+{
+    EXPECT_EQ(outcome.code, code) << outcome.error;
+    EXPECT_EQ(outcome.error.rfind("lambent: error: ", 0), 0u) << outcome.error;
+    EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1) << outcome.error;
+}
+
+TEST(Vulkan, DrawsWhatTheProcessorDraws)
+{
+    const Folder folder;
+    const Outcome there = drawn(folder.path("there.png"), {"--backend", "vulkan", "--stats", "json"});
+    if (there.code == 4 && !std::getenv("LAMBENT_REQUIRE_VULKAN"))
+        GTEST_SKIP() << there.error;
+    ASSERT_EQ(there.code, 0) << there.error;
+    const json stats = json::parse(there.output);
+    EXPECT_EQ(stats["backend"], "vulkan");
+    for (const char* pass : {"direct", "ambient", "specular"})
+        EXPECT_GE(stats["device_ms"][pass], 0.0) << pass;
+    ASSERT_EQ(drawn(folder.path("here.png"), {"--backend", "cpu"}).code, 0);
+    const image::CodeImage a = image::read_codes(folder.path("there.png")),
+                           b = image::read_codes(folder.path("here.png"));
+    ASSERT_EQ(a.bytes.size(), b.bytes.size());
+    int most = 0;
+    for (std::size_t i = 0; i < a.bytes.size(); ++i)
+        most = std::max(most, std::abs(a.bytes[i] - b.bytes[i]));
+    EXPECT_LE(most, 2);
+}
+
+TEST(Vulkan, WithoutADriverItSaysSoAndLeavesNothing)
+{
+    const Folder folder;
+    const std::string command = "VK_ICD_FILENAMES=/nowhere VK_DRIVER_FILES=/nowhere exec '" LAMBENT_PROGRAM
+                                "' render sphere --backend vulkan -o '" +
+                                folder.path("a.png") + "'";
+    expect_refused(testing::run_program("sh", {"-c", command}), 4);
+    EXPECT_TRUE(folder.names().empty());
+}
+
+TEST(Vulkan, DoesNotTrace)
+{
+    const Folder folder;
+    expect_refused(lambent({"reference", "sphere", "-o", folder.path("a.png"), "--backend", "vulkan"}), 2);
+    EXPECT_TRUE(folder.names().empty());
+}
+
+} // namespace
+} // namespace lambent
