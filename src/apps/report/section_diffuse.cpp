@@ -66,6 +66,34 @@ Table saturation_table(Desk& desk)
     return table;
 }
 
+// What was found here, which under another light need not be what the report found.
+std::string saturation_caption(Workshop& workshop)
+{
+    const auto more = [&](const char* exposure) {
+        return saturation(workshop, painted(exposure, "linear")) >
+               saturation(workshop, painted(exposure, "nonlinear"));
+    };
+    const std::string what = "Mean of (max - min) / max over the surfaces, as displayed. ";
+    return what +
+           (more("7") && more("70")
+                ? "At 7 and at 70 linear colour is the more saturated one, as the report found by eye."
+                : "The report found linear colour the more saturated one at 7 and at 70; under this light "
+                  "it is not at both.");
+}
+
+// Whether each exposure, the highest first, shows more light than the next.
+bool luminance_falls(Workshop& workshop)
+{
+    double before = 2.0;
+    for (const char* exposure : background_exposures) {
+        const double luminance = compare::displayed_luminance(workshop.codes(room(exposure)));
+        if (luminance >= before)
+            return false;
+        before = luminance;
+    }
+    return true;
+}
+
 } // namespace
 
 Section diffuse_light(Desk& desk)
@@ -81,14 +109,10 @@ Section diffuse_light(Desk& desk)
         {"diffuse-exposures", "Exposure by colour space",
          "The same light at five exposures. The luminance is what a display shows; hue order is kept "
          "where none of the brightest tenth's channels overtakes another. Nonlinear colour pales first: its "
-         "codes are sums "
-         "of numbers that are not light.",
+         "codes are sums of numbers that are not light.",
          exposure_table(desk)});
-    section.figures.push_back(
-        {"diffuse-saturation", "Saturation measured",
-         "Mean of (max - min) / max over the surfaces, as displayed. At 7 and at 70 linear "
-         "colour is the more saturated one, as the report found by eye.",
-         saturation_table(desk)});
+    section.figures.push_back({"diffuse-saturation", "Saturation measured", saturation_caption(desk.workshop),
+                               saturation_table(desk)});
     return section;
 }
 
@@ -109,8 +133,10 @@ Section background(Desk& desk)
     }
     section.figures.push_back(
         {"background-exposures", "Six exposures",
-         "From 7000 down to 0.1. The mean luminance that is displayed rises with each step, and "
-         "no channel overtakes another in the highlights.",
+         luminance_falls(desk.workshop)
+             ? "From 7000 down to 0.1: the mean luminance that is displayed falls with each step. Hue order "
+               "is kept where no channel of the highlights overtakes another."
+             : "From 7000 down to 0.1. Under this light some steps show the same mean luminance.",
          pictures});
     return section;
 }
