@@ -13,7 +13,7 @@ function(lambent_spirv target)
     set(source ${CMAKE_CURRENT_SOURCE_DIR}/${shader})
     set(output ${CMAKE_CURRENT_BINARY_DIR}/${shader}.spv.inc)
     add_custom_command(OUTPUT ${output}
-      COMMAND ${LAMBENT_GLSLC} -Werror -O --target-env=vulkan1.1 -mfmt=c
+      COMMAND ${LAMBENT_GLSLC} -Werror -O --target-env=vulkan1.2 -mfmt=c
         -I ${CMAKE_SOURCE_DIR} -I ${CMAKE_SOURCE_DIR}/src
         -MD -MF ${output}.d -MT ${output} -o ${output} ${source}
       DEPENDS ${source} DEPFILE ${output}.d COMMENT "Compiling ${shader}" VERBATIM)

@@ -1,22 +1,11 @@
-// What a lighting shader and its program agree on: the same text in GLSL and, by light.h, in C++. Numbers and vectors of
-// four only, so that both languages lay it out alike.
-
-// Bindings of set 0.
-const int binding_fragments = 0;
-const int binding_picture = 1;
-const int binding_lights = 2;
-const int binding_samples = 3;
-const int binding_lamps = 4;
-const int binding_albedo = 5;
-const int binding_chain = 6;
-const int binding_irradiance = 7;
-const int binding_mips = 8;
-const int binding_count = 9;
+// What the shaders of light and their program agree on: the same text in GLSL and, by light.h, in C++. Numbers and
+// vectors of four only, so that both languages lay it out alike.
 
 // Specialization constants.
 const int constant_pass = 0;
 const int constant_model = 1;
-const int constant_levels = 2;
+const int constant_levels = 2;   // of light
+const int constant_textured = 2; // of surfaces: 1 where there are textures
 
 const int pass_direct = 0;
 const int pass_ambient = 1;
@@ -41,26 +30,20 @@ const int column_direct = 24;
 const int column_irradiance = 27;
 const int column_ambient = 30;
 const int column_reflected = 33;
-const int column_count = 36;
+const int column_depth = 36;
+const int column_opacity = 37;
+const int column_emitted = 38;
+const int column_lit = 41; // 0: unlit, no pass gives it light
+const int column_count = 42;
 
 const int group_size = 64;
 
-// What all fragments of a picture share.
-struct PictureRecord {
-    vec4 across;     // xyz: to the right of the camera, unit length
-    vec4 rotation;   // cosine and sine of the environment's turn; ambient brightness; energy compensation, 0 or 1
-    vec4 chain;      // scale; angular variance of level 1; of the last level with lamps, and of the first without
-    vec4 maps;       // scale of the irradiance map; the report's base level
-    ivec4 fragments; // capacity; count; lights; lamps
-    ivec4 samples;   // count; size of the albedo table
-};
-
 // A light: local ones stand at a place, others are infinitely far away.
 struct LightRecord {
-    vec4 position_local; // w: 1 if local
+    vec4 position_local;  // w: 1 if local
     vec4 intensity_range; // candela or lux; w: 1 / range
     vec4 axis_inner;      // the way it travels; w: cosine of the inner cone
-    vec4 outer;           // x: cosine of the outer cone
+    vec4 outer;           // x: cosine of the outer cone; y: range squared, below 0 if unlimited
 };
 
 // A point of the sample tables.
@@ -70,6 +53,6 @@ struct SampleRecord {
 };
 
 struct LampRecord {
-    vec4 direction;
-    vec4 light; // radiance times solid angle
+    vec4 direction; // w: its own variance, square radians
+    vec4 light;     // radiance times solid angle
 };

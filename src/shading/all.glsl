@@ -1,4 +1,6 @@
 #include "ambient.glsl"
 #include "direct.glsl"
+#include "texture.glsl"
+#include "surface.glsl"
 #include "specular_ggx.glsl"
 #include "specular_phong.glsl"

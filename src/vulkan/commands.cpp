@@ -1,5 +1,6 @@
 #include "vulkan/commands.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace lambent::vulkan {
@@ -13,7 +14,7 @@ VkImageMemoryBarrier2 whole(const Texture& texture)
     auto barrier = typed<VkImageMemoryBarrier2>(VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2);
     barrier.srcQueueFamilyIndex = barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     barrier.image = texture.image();
-    barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, texture.shape().levels, 0, texture.layers()};
+    barrier.subresourceRange = {texture.aspect(), 0, texture.shape().levels, 0, texture.layers()};
     return barrier;
 }
 
@@ -74,21 +75,103 @@ void Commands::stamp(std::uint32_t index) const
         device_.call().vkCmdWriteTimestamp2(buffer_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, clock_, index);
 }
 
-void Commands::dispatch(const ComputePipeline& pipeline, const BindingSet& set,
-                        std::span<const std::byte> push, const Groups& groups)
+void Commands::bind(VkPipelineBindPoint point, const Pipeline& pipeline, const BindingSet& set,
+                    std::span<const std::byte> push) const
 {
-    if (push.size() != pipeline.push_bytes())
+    const ShaderLayout& layout = set.layout();
+    if (push.size() != layout.push_bytes())
         throw std::invalid_argument("a shader is given another number of constants than it takes");
     const VolkDeviceTable& call = device_.call();
     const VkDescriptorSet handle = set.handle();
-    call.vkCmdBindPipeline(buffer_, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle());
-    call.vkCmdBindDescriptorSets(buffer_, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.layout(), 0, 1, &handle, 0,
-                                 nullptr);
+    call.vkCmdBindPipeline(buffer_, point, pipeline.handle());
+    call.vkCmdBindDescriptorSets(buffer_, point, layout.handle(), 0, 1, &handle, 0, nullptr);
     if (!push.empty())
-        call.vkCmdPushConstants(buffer_, pipeline.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0,
+        call.vkCmdPushConstants(buffer_, layout.handle(), ShaderLayout::stages, 0,
                                 static_cast<std::uint32_t>(push.size()), push.data());
-    call.vkCmdDispatch(buffer_, groups.x, groups.y, groups.z);
+}
+
+void Commands::dispatch(const ComputePipeline& pipeline, const BindingSet& set,
+                        std::span<const std::byte> push, const Groups& groups)
+{
+    bind(VK_PIPELINE_BIND_POINT_COMPUTE, pipeline, set, push);
+    device_.call().vkCmdDispatch(buffer_, groups.x, groups.y, groups.z);
     barrier();
+}
+
+void Commands::dispatch_indirect(const ComputePipeline& pipeline, const BindingSet& set,
+                                 std::span<const std::byte> push, const IndirectGroups& arguments)
+{
+    bind(VK_PIPELINE_BIND_POINT_COMPUTE, pipeline, set, push);
+    device_.call().vkCmdDispatchIndirect(buffer_, arguments.buffer.handle(), arguments.offset);
+    barrier();
+}
+
+void Commands::draw(const RasterTarget& target, const BindingSet& set, std::span<const std::byte> push,
+                    std::span<const DrawBatch> batches)
+{
+    const VolkDeviceTable& call = device_.call();
+    auto color = typed<VkRenderingAttachmentInfo>(VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO);
+    color.imageView = target.color.layer_view(target.layer);
+    color.imageLayout = VK_IMAGE_LAYOUT_GENERAL;
+    color.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+    color.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    std::fill_n(color.clearValue.color.uint32, 4, target.clear);
+    VkRenderingAttachmentInfo depth = color;
+    depth.imageView = target.depth.layer_view(0);
+    depth.storeOp = VK_ATTACHMENT_STORE_OP_DONT_CARE;
+    depth.clearValue.depthStencil = {0.0f, 0};
+    const VkRect2D area = {{0, 0}, {target.width, target.height}};
+    auto info = typed<VkRenderingInfo>(VK_STRUCTURE_TYPE_RENDERING_INFO);
+    info.renderArea = area;
+    info.layerCount = info.colorAttachmentCount = 1;
+    info.pColorAttachments = &color;
+    info.pDepthAttachment = &depth;
+    const VkViewport viewport = {
+        0.0f, 0.0f, static_cast<float>(target.width), static_cast<float>(target.height), 0.0f, 1.0f};
+    const VkBuffer vertices = target.vertices.handle();
+    const VkDeviceSize beginning = 0;
+    call.vkCmdBeginRendering(buffer_, &info);
+    bind(VK_PIPELINE_BIND_POINT_GRAPHICS, target.pipeline, set, push);
+    call.vkCmdSetViewport(buffer_, 0, 1, &viewport);
+    call.vkCmdSetScissor(buffer_, 0, 1, &area);
+    call.vkCmdBindVertexBuffers(buffer_, 0, 1, &vertices, &beginning);
+    call.vkCmdBindIndexBuffer(buffer_, target.indices.handle(), 0, VK_INDEX_TYPE_UINT32);
+    constexpr std::uint32_t stride = sizeof(VkDrawIndexedIndirectCommand);
+    const std::uint32_t at_once = device_.properties().limits.maxDrawIndirectCount;
+    for (const DrawBatch& batch : batches) {
+        call.vkCmdSetCullMode(buffer_, batch.cull);
+        call.vkCmdSetFrontFace(buffer_, batch.front);
+        const std::uint32_t end = batch.first + batch.count;
+        for (std::uint32_t first = batch.first; first < end; first += at_once)
+            call.vkCmdDrawIndexedIndirect(buffer_, batch.draws->handle(), VkDeviceSize{first} * stride,
+                                          std::min(end - first, at_once), stride);
+    }
+    call.vkCmdEndRendering(buffer_);
+    barrier();
+}
+
+void Commands::fill(const Buffer& buffer, std::uint32_t value)
+{
+    device_.call().vkCmdFillBuffer(buffer_, buffer.handle(), 0, VK_WHOLE_SIZE, value);
+    barrier();
+}
+
+void Commands::write(const Buffer& buffer, std::span<const std::byte> bytes, VkDeviceSize offset)
+{
+    device_.call().vkCmdUpdateBuffer(buffer_, buffer.handle(), offset, bytes.size(), bytes.data());
+    barrier();
+}
+
+void Commands::prepare(const Texture& texture)
+{
+    auto info = typed<VkDependencyInfo>(VK_STRUCTURE_TYPE_DEPENDENCY_INFO);
+    info.imageMemoryBarrierCount = 1;
+    VkImageMemoryBarrier2 barrier = whole(texture);
+    barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    barrier.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
+    barrier.newLayout = VK_IMAGE_LAYOUT_GENERAL;
+    info.pImageMemoryBarriers = &barrier;
+    device_.call().vkCmdPipelineBarrier2(buffer_, &info);
 }
 
 void Commands::copy(const Buffer& from, const Buffer& to, VkDeviceSize bytes)

@@ -35,12 +35,14 @@ Device::Device(const Instance&, const Candidate& candidate) : candidate_(candida
     queue.queueFamilyIndex = family_;
     queue.queueCount = 1;
     queue.pQueuePriorities = &priority;
-    auto features =
-        typed<VkPhysicalDeviceVulkan13Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES);
-    features.dynamicRendering = VK_TRUE;
-    features.synchronization2 = VK_TRUE;
+    Features features;
+    features.newest.dynamicRendering = features.newest.synchronization2 = VK_TRUE;
+    features.newer.bufferDeviceAddress = VK_TRUE;
+    // A fragment's number of triangle comes with geometry shaders.
+    features.all.features.geometryShader = features.all.features.multiDrawIndirect =
+        features.all.features.drawIndirectFirstInstance = VK_TRUE;
     auto info = typed<VkDeviceCreateInfo>(VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO);
-    info.pNext = &features;
+    info.pNext = features.chain();
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queue;
     check(vkCreateDevice(candidate_.device, &info, nullptr, &device_), text("starting ", candidate_.name));

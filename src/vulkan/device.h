@@ -22,6 +22,7 @@ public:
     const VolkDeviceTable& call() const { return table_; } ///< functions of this device, without detours
     const std::string& name() const { return candidate_.name; }
     bool is_software() const { return candidate_.software; }
+    VkDeviceSize own_memory() const { return candidate_.memory; } ///< bytes
     const VkPhysicalDeviceProperties& properties() const { return properties_; }
     VkPhysicalDevice physical() const { return candidate_.device; }
 

@@ -7,6 +7,14 @@
 #include <cstring>
 
 namespace lambent::vulkan {
+
+VkPhysicalDeviceFeatures2* Features::chain()
+{
+    newer.pNext = &newest;
+    all.pNext = &newer;
+    return &all;
+}
+
 namespace {
 
 constexpr const char* validation_layer = "VK_LAYER_KHRONOS_validation";
@@ -45,12 +53,12 @@ bool has_queue(VkPhysicalDevice device)
 
 bool has_features(VkPhysicalDevice device)
 {
-    auto newest =
-        typed<VkPhysicalDeviceVulkan13Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES);
-    auto features = typed<VkPhysicalDeviceFeatures2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2);
-    features.pNext = &newest;
-    vkGetPhysicalDeviceFeatures2(device, &features);
-    return newest.dynamicRendering == VK_TRUE && newest.synchronization2 == VK_TRUE;
+    Features there;
+    vkGetPhysicalDeviceFeatures2(device, there.chain());
+    const VkPhysicalDeviceFeatures& old = there.all.features;
+    return there.newest.dynamicRendering == VK_TRUE && there.newest.synchronization2 == VK_TRUE &&
+           there.newer.bufferDeviceAddress == VK_TRUE && old.geometryShader == VK_TRUE &&
+           old.multiDrawIndirect == VK_TRUE && old.drawIndirectFirstInstance == VK_TRUE;
 }
 
 VkDeviceSize own_memory(VkPhysicalDevice device)
@@ -78,7 +86,7 @@ Candidate candidate_of(VkPhysicalDevice device)
     else if (!has_queue(device))
         candidate.lacks = "a queue for graphics and compute";
     else if (!has_features(device))
-        candidate.lacks = "dynamic rendering or synchronization2";
+        candidate.lacks = "a feature (addresses of buffers, indirect draws or numbers of triangles)";
     candidate.fit = candidate.lacks.empty();
     return candidate;
 }

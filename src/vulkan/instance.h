@@ -21,6 +21,19 @@ private:
     std::vector<std::string> messages_;
 };
 
+/// What a device can do, or is to do, in Vulkan's own three lists.
+struct Features {
+    VkPhysicalDeviceFeatures2 all =
+        typed<VkPhysicalDeviceFeatures2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2);
+    VkPhysicalDeviceVulkan12Features newer =
+        typed<VkPhysicalDeviceVulkan12Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES);
+    VkPhysicalDeviceVulkan13Features newest =
+        typed<VkPhysicalDeviceVulkan13Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES);
+
+    /// The lists, linked; valid while this stays where it is.
+    VkPhysicalDeviceFeatures2* chain();
+};
+
 /// A device that could be used.
 struct Candidate {
     VkPhysicalDevice device = VK_NULL_HANDLE;

@@ -24,9 +24,13 @@ Properties properties_of(Place place)
     }
 }
 
-VkDeviceMemory allocate(const Device& device, const VkMemoryRequirements& needs, const Properties& properties)
+VkDeviceMemory allocate(const Device& device, const VkMemoryRequirements& needs, const Properties& properties,
+                        bool with_address = false)
 {
+    auto flags = typed<VkMemoryAllocateFlagsInfo>(VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO);
+    flags.flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT;
     auto info = typed<VkMemoryAllocateInfo>(VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO);
+    info.pNext = with_address ? &flags : nullptr;
     info.allocationSize = needs.size;
     info.memoryTypeIndex = device.memory_type(needs.memoryTypeBits, properties.needed, properties.liked);
     VkDeviceMemory memory = VK_NULL_HANDLE;
@@ -48,7 +52,8 @@ Buffer::Buffer(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usag
               text("making a buffer of ", bytes, " bytes"));
         VkMemoryRequirements needs;
         device.call().vkGetBufferMemoryRequirements(device.handle(), buffer_, &needs);
-        memory_ = allocate(device, needs, properties_of(place));
+        memory_ = allocate(device, needs, properties_of(place),
+                           (usage & VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT) != 0);
         check(device.call().vkBindBufferMemory(device.handle(), buffer_, memory_, 0),
               "giving a buffer its memory");
         if (place != Place::device)
@@ -73,11 +78,23 @@ Buffer::~Buffer()
     release();
 }
 
+VkDeviceAddress Buffer::address() const
+{
+    auto info = typed<VkBufferDeviceAddressInfo>(VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO);
+    info.buffer = buffer_;
+    return device_->call().vkGetBufferDeviceAddress(device_->handle(), &info);
+}
+
 Texture::Texture(const Device& device, const TextureShape& shape) : device_(&device), shape_(shape)
 {
+    constexpr VkImageUsageFlags drawn =
+        VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
     try {
         make_image();
-        make_view();
+        const VkImageViewType flat = shape.stacked > 0 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
+        view_ = make_view(shape.cube ? VK_IMAGE_VIEW_TYPE_CUBE : flat, 0, layers());
+        for (std::uint32_t layer = 0; (shape.usage & drawn) != 0 && layer < layers(); ++layer)
+            layer_views_.push_back(make_view(VK_IMAGE_VIEW_TYPE_2D, layer, 1));
     } catch (...) {
         release();
         throw;
@@ -110,21 +127,30 @@ void Texture::make_image()
           "giving a picture its memory");
 }
 
-void Texture::make_view()
+VkImageAspectFlags Texture::aspect() const
+{
+    return shape_.format == VK_FORMAT_D32_SFLOAT ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+}
+
+VkImageView Texture::make_view(VkImageViewType type, std::uint32_t first_layer, std::uint32_t count) const
 {
     auto info = typed<VkImageViewCreateInfo>(VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO);
     info.image = image_;
-    info.viewType = shape_.cube ? VK_IMAGE_VIEW_TYPE_CUBE : VK_IMAGE_VIEW_TYPE_2D;
+    info.viewType = type;
     info.format = shape_.format;
-    info.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, shape_.levels, 0, layers()};
-    check(device_->call().vkCreateImageView(device_->handle(), &info, nullptr, &view_),
+    info.subresourceRange = {aspect(), 0, shape_.levels, first_layer, count};
+    VkImageView view = VK_NULL_HANDLE;
+    check(device_->call().vkCreateImageView(device_->handle(), &info, nullptr, &view),
           "making a view of a picture");
+    return view;
 }
 
 void Texture::release()
 {
     if (!device_)
         return;
+    for (VkImageView view : layer_views_)
+        device_->call().vkDestroyImageView(device_->handle(), view, nullptr);
     device_->call().vkDestroyImageView(device_->handle(), view_, nullptr);
     device_->call().vkDestroyImage(device_->handle(), image_, nullptr);
     device_->call().vkFreeMemory(device_->handle(), memory_, nullptr);

@@ -3,9 +3,11 @@
 
 #include "vulkan/device.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <utility>
+#include <vector>
 
 namespace lambent::vulkan {
 
@@ -30,6 +32,9 @@ public:
 
     VkBuffer handle() const { return buffer_; }
     VkDeviceSize bytes() const { return bytes_; }
+
+    /// Where shaders find it; only with VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT.
+    VkDeviceAddress address() const;
 
     /// The memory itself; not for Place::device.
     std::span<std::byte> memory() const { return {static_cast<std::byte*>(mapped_), bytes_}; }
@@ -56,7 +61,8 @@ struct TextureShape {
     VkFormat format = VK_FORMAT_R16G16B16A16_SFLOAT;
     std::uint32_t width = 1, height = 1;
     std::uint32_t levels = 1;
-    bool cube = false; ///< six layers, seen as a cube
+    bool cube = false;         ///< six layers, seen as a cube
+    std::uint32_t stacked = 0; ///< this many layers, seen as a stack; 0: one picture, seen as such
     VkImageUsageFlags usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
 };
 
@@ -74,7 +80,9 @@ public:
     VkImage image() const { return image_; }
     VkImageView view() const { return view_; }
     const TextureShape& shape() const { return shape_; }
-    std::uint32_t layers() const { return shape_.cube ? 6 : 1; }
+    VkImageView layer_view(std::uint32_t layer) const { return layer_views_[layer]; } ///< to draw into
+    std::uint32_t layers() const { return shape_.cube ? 6 : std::max(shape_.stacked, 1u); }
+    VkImageAspectFlags aspect() const;
 
 private:
     void swap(Texture& other) noexcept
@@ -82,16 +90,18 @@ private:
         std::swap(device_, other.device_);
         std::swap(image_, other.image_);
         std::swap(view_, other.view_);
+        std::swap(layer_views_, other.layer_views_);
         std::swap(memory_, other.memory_);
         std::swap(shape_, other.shape_);
     }
     void make_image();
-    void make_view();
+    VkImageView make_view(VkImageViewType type, std::uint32_t first_layer, std::uint32_t count) const;
     void release();
 
     const Device* device_ = nullptr;
     VkImage image_ = VK_NULL_HANDLE;
     VkImageView view_ = VK_NULL_HANDLE;
+    std::vector<VkImageView> layer_views_; ///< of pictures that are drawn into
     VkDeviceMemory memory_ = VK_NULL_HANDLE;
     TextureShape shape_;
 };

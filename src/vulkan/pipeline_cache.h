@@ -18,6 +18,7 @@ public:
     PipelineCache& operator=(const PipelineCache&) = delete;
 
     VkPipelineCache handle() const { return cache_; }
+    const Device& device() const { return device_; }
 
     /// Whether the file was taken.
     bool loaded() const { return loaded_; }

@@ -42,16 +42,17 @@ TEST(Vulkan, DrawsWhatTheProcessorDraws)
     ASSERT_EQ(there.code, 0) << there.error;
     const json stats = json::parse(there.output);
     EXPECT_EQ(stats["backend"], "vulkan");
-    for (const char* pass : {"direct", "ambient", "specular"})
-        EXPECT_GE(stats["device_ms"][pass], 0.0) << pass;
+    for (const char* pass : {"triangles", "edges", "surfaces", "direct", "ambient", "specular", "resolve"})
+        EXPECT_GE(stats["device_ms"].value(pass, -1.0), 0.0) << pass;
     ASSERT_EQ(drawn(folder.path("here.png"), {"--backend", "cpu"}).code, 0);
     const image::CodeImage a = image::read_codes(folder.path("there.png")),
                            b = image::read_codes(folder.path("here.png"));
     ASSERT_EQ(a.bytes.size(), b.bytes.size());
-    int most = 0;
+    // Where surfaces end the two may see different ones.
+    std::size_t different = 0;
     for (std::size_t i = 0; i < a.bytes.size(); ++i)
-        most = std::max(most, std::abs(a.bytes[i] - b.bytes[i]));
-    EXPECT_LE(most, 2);
+        different += std::abs(a.bytes[i] - b.bytes[i]) > 2 ? 1 : 0;
+    EXPECT_LE(different, a.bytes.size() / 100);
 }
 
 TEST(Vulkan, WithoutADriverItSaysSoAndLeavesNothing)

@@ -1,6 +1,10 @@
 // The lighting passes on a Vulkan device against the same passes on the processor's lanes, fragment by fragment. What the
 // passes compute has its witnesses elsewhere; this is about lookups, layouts and bindings.
-#include "draw/vulkan/light_stage.h"
+#include "draw/cpu/light_kernel.h"
+#include "draw/vulkan/filled_buffer.h"
+#include "draw/vulkan/passes.h"
+#include "draw/vulkan/picture_on_device.h"
+#include "draw/vulkan/tile_on_device.h"
 #include "environment/builtin.h"
 #include "environment/panorama.h"
 #include "tests/draw/test_scenes.h"
@@ -10,7 +14,10 @@
 
 #include <glm/geometric.hpp>
 
+#include <array>
 #include <cmath>
+#include <cstring>
+#include <memory>
 #include <random>
 
 namespace lambent::draw {
@@ -116,6 +123,92 @@ struct Surroundings {
     }
 };
 
+struct ColumnRange {
+    Column here;
+    int there, count;
+};
+
+constexpr ColumnRange given[] = {
+    {position_x, gpu_layout::column_position, 3},       {view_x, gpu_layout::column_view, 3},
+    {shading_x, gpu_layout::column_normal, 3},          {mirrored_dx_x, gpu_layout::column_mirrored_dx, 3},
+    {mirrored_dy_x, gpu_layout::column_mirrored_dy, 3}, {base_r, gpu_layout::column_base, 3},
+    {specular_r, gpu_layout::column_specular, 3},       {gloss, gpu_layout::column_gloss, 1},
+    {metalness, gpu_layout::column_metalness, 1},       {occlusion, gpu_layout::column_occlusion, 1}};
+constexpr ColumnRange lit[] = {{direct_r, gpu_layout::column_direct, 3},
+                               {irradiance_r, gpu_layout::column_irradiance, 3},
+                               {ambient_r, gpu_layout::column_ambient, 3},
+                               {reflected_r, gpu_layout::column_reflected, 3}};
+
+// The passes of light over given fragments, as pictures run them over theirs.
+class LightOnDevice {
+public:
+    LightOnDevice(const vulkan::Device& device, const Surroundings& setup, std::size_t room)
+        : device_(device), cache_(device, {}), layout_(pass_layout(device)),
+          passes_(cache_, *layout_, {1, setup.context.model, setup.context.mip_level}),
+          picture_(device, setup.context, setup.lights), tile_(device, {64, 64, 1, 0, room}),
+          nothing_(filled_buffer(device, std::vector<float>(16))), lights_(!setup.lights.empty()),
+          environment_(setup.context.environment != nullptr)
+    {
+        std::array<vulkan::Resource, gpu_layout::binding_count> resources{};
+        for (int binding = gpu_layout::binding_instances; binding <= gpu_layout::binding_codes; ++binding)
+            resources[static_cast<std::size_t>(binding)].buffer = &nothing_;
+        picture_.offer(resources);
+        tile_.offer(resources);
+        set_ = std::make_unique<vulkan::BindingSet>(device, *layout_, resources);
+    }
+
+    void light(Fragments& fragments)
+    {
+        const std::size_t room = tile_.shape().capacity;
+        std::vector<float> values(room * gpu_layout::column_count, 0.0f);
+        const auto column = [&](int i) { return values.begin() + static_cast<std::ptrdiff_t>(room) * i; };
+        for (const ColumnRange& range : given)
+            for (int i = 0; i < range.count; ++i)
+                std::copy_n(fragments[Column(range.here + static_cast<std::size_t>(i))], fragments.size(),
+                            column(range.there + i));
+        std::fill_n(column(gpu_layout::column_lit), fragments.size(), 1.0f);
+        run(values, static_cast<std::uint32_t>(fragments.size()));
+        for (const ColumnRange& range : lit)
+            for (int i = 0; i < range.count; ++i)
+                std::copy_n(column(range.there + i), fragments.size(),
+                            fragments[Column(range.here + static_cast<std::size_t>(i))]);
+    }
+
+private:
+    void run(std::vector<float>& values, std::uint32_t count)
+    {
+        const std::size_t bytes = values.size() * sizeof(float);
+        const vulkan::Buffer from(device_, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, vulkan::Place::upload),
+            back(device_, bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT, vulkan::Place::readback);
+        std::memcpy(from.memory().data(), values.data(), bytes);
+        gpu_layout::PictureRecord record = picture_.record();
+        record.fragments.x = static_cast<int>(tile_.shape().capacity);
+        const std::array<std::uint32_t, gpu_layout::counter_count> counters = {(count + 63) / 64, 1, 1,
+                                                                               count};
+        vulkan::Commands commands(device_);
+        commands.copy(from, tile_.values(), bytes);
+        commands.write(tile_.picture(), std::as_bytes(std::span(&record, 1)));
+        commands.write(tile_.counters(), std::as_bytes(std::span(counters)));
+        const std::array<std::byte, sizeof(gpu_layout::RasterConstants)> none{};
+        for (const int pass : {gpu_layout::pass_direct, gpu_layout::pass_ambient, gpu_layout::pass_specular})
+            if (pass == gpu_layout::pass_direct ? lights_ : environment_)
+                commands.dispatch_indirect(passes_.light(pass), *set_, none, {tile_.counters(), 0});
+        commands.copy(tile_.values(), back, bytes);
+        commands.run();
+        std::memcpy(values.data(), back.memory().data(), bytes);
+    }
+
+    const vulkan::Device& device_;
+    vulkan::PipelineCache cache_;
+    std::unique_ptr<vulkan::ShaderLayout> layout_;
+    Passes passes_;
+    PictureOnDevice picture_;
+    TileOnDevice tile_;
+    vulkan::Buffer nothing_;
+    bool lights_, environment_;
+    std::unique_ptr<vulkan::BindingSet> set_;
+};
+
 struct Difference {
     double relative_rmse, mean;
 };
@@ -154,9 +247,7 @@ protected:
         light_directly(setup.context, setup.lights, 0, count, here);
         light_ambiently(setup.context, 0, count, here);
         light_specularly(setup.context, 0, count, here);
-        const vulkan::PipelineCache cache(compute_->device(), {});
-        LightStage stage(compute_->device(), cache, setup.context, setup.lights);
-        stage.light(there);
+        LightOnDevice(compute_->device(), setup, count).light(there);
         for (const auto& [name, column] :
              {std::pair("direct", direct_r), std::pair("irradiance", irradiance_r),
               std::pair("ambient", ambient_r), std::pair("specular", reflected_r)}) {
@@ -199,18 +290,39 @@ TEST_F(LightParity, PhongAsTheReport)
     expect_parity(Surroundings(kitchen(), Model::phong, MipLevel::report, 40), usual_bound);
 }
 
+// So many that they are looked through in several rounds; a few reach each group of fragments.
+TEST_F(LightParity, ManyLightsOfShortRange)
+{
+    Surroundings setup(testing::white_environment(), Model::ggx, MipLevel::matched, 4);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> place(-2.0f, 2.0f), range(0.1f, 0.6f);
+    for (int i = 0; i < 2500; ++i) {
+        LightSource light;
+        light.local = true;
+        light.position = {place(random), place(random), place(random)};
+        light.intensity = {0.1f, 0.2f, 0.3f};
+        light.range = range(random);
+        setup.lights.push_back(light);
+    }
+    constexpr std::size_t count = 1000; // the last group is not full
+    Fragments here = Maker().fragments(count, Model::ggx), there = Maker().fragments(count, Model::ggx);
+    light_directly(setup.context, setup.lights, 0, 1008, here);
+    LightOnDevice(compute_->device(), setup, count).light(there);
+    EXPECT_LE(difference(there, here, direct_r).relative_rmse, 1e-4);
+    EXPECT_EQ(compute_->complaints(), std::vector<std::string>());
+}
+
 TEST_F(LightParity, WithoutAnEnvironmentOnlyLights)
 {
     Surroundings setup(testing::white_environment(), Model::ggx, MipLevel::matched, 4);
     setup.context.environment = nullptr;
     Fragments here = Maker().fragments(128, Model::ggx), there = Maker().fragments(128, Model::ggx);
     light_directly(setup.context, setup.lights, 0, 128, here);
-    const vulkan::PipelineCache cache(compute_->device(), {});
-    LightStage stage(compute_->device(), cache, setup.context, setup.lights);
+    LightOnDevice stage(compute_->device(), setup, 1024);
     stage.light(there);
     EXPECT_LE(difference(there, here, direct_r).relative_rmse, 1e-4);
     EXPECT_EQ(there[reflected_r][0], 0.0f);
-    // More fragments than before, in the same stage.
+    // More fragments than before, in the same room.
     Fragments more = Maker().fragments(1024, Model::ggx);
     stage.light(more);
     EXPECT_EQ(more[direct_r][5], there[direct_r][5]);

@@ -32,9 +32,8 @@ PROBE(19, energy_reflectance, 1e-5, 0.0, 1e-5, 0.0)
 PROBE(20, energy_brdf, 1e-5, 3e-4, 1e-5, 3e-4)
 PROBE(21, energy_brdf_smooth, 1e-5, 2e-3, 1e-5, 2e-3)
 PROBE(22, light_attenuations, 1e-5, 1e-5, 1e-5, 1e-5)
-// An arc cosine near 1 has half the digits of its argument. Vulkan allows acos and atan 4096 units in the
-// last place, sin and cos an absolute error of 2^-11.
-PROBE(23, map_from_direction, 1e-4, 0.0, 1e-3, 0.0)
+// An arc cosine near 1 has half the digits of its argument. Vulkan allows sin and cos an absolute error of 2^-11.
+PROBE(23, map_from_direction, 1e-4, 0.0, 1e-4, 0.0)
 PROBE(24, map_direction, 1e-5, 0.0, 1e-3, 0.0)
 PROBE(25, map_cube, 1e-5, 1e-5, 1e-5, 5e-4)
 PROBE(26, sh_values, 1e-5, 0.0, 1e-5, 0.0)
@@ -63,3 +62,10 @@ PROBE(46, map_cube_place, 1e-5, 1e-5, 1e-5, 1e-5)
 PROBE(47, shading_lobe_sample, 1e-4, 1e-4, 1e-3, 1e-3)
 // The footprint of a pixel may be as thin as two directions nearly the same make it.
 PROBE(48, shading_lamps, 1e-4, 1e-3, 1e-3, 1e-3)
+PROBE(49, shading_facet, 1e-5, 1e-5, 1e-5, 1e-5)
+PROBE(50, shading_steps, 1e-5, 1e-5, 1e-5, 1e-5)
+PROBE(51, shading_turning, 1e-5, 0.0, 1e-5, 0.0)
+PROBE(52, shading_mapped, 1e-5, 0.0, 1e-5, 0.0)
+PROBE(53, shading_surface, 1e-5, 0.0, 1e-5, 0.0)
+PROBE(54, shading_material, 1e-5, 1e-5, 1e-5, 1e-5)
+PROBE(55, shading_texture, 1e-5, 1e-5, 1e-5, 1e-5)

@@ -150,6 +150,76 @@ Outputs shading_ambient(Inputs i)
     return outputs(ambient_light(vec3(i.a, i.b, i.c), vec3(i.d, i.e, i.f), 2.0 * i.g), i.h);
 }
 
+SightRay some_sight(Inputs i)
+{
+    SightRay s = {vec3(0.0, 0.0, 3.0),   vec3(0.002 * i.e, 0.0, 0.0),
+                  vec3(0.0),             vec3(0.3 * i.a - 0.15, 0.3 * i.b - 0.15, -1.0),
+                  vec3(0.01, 0.0, 0.0),  vec3(0.0, 0.01, 0.002 * i.f)};
+    return s;
+}
+
+// Around the middle of the picture, so that it is met.
+Triangle some_triangle(Inputs i)
+{
+    Triangle t = {vec3(-1.5 - 0.5 * i.c, -1.5, 0.5 * i.d), vec3(3.5 + i.e, 0.2 * i.f, 0.3 * i.g),
+                  vec3(0.2 * i.h, 3.5 + i.c, 0.3 * i.d)};
+    return t;
+}
+
+Facet some_facet(Inputs i) { return facet_at(some_sight(i), some_triangle(i), meeting_with(some_sight(i), some_triangle(i))); }
+
+Outputs shading_facet(Inputs i)
+{
+    Facet f = some_facet(i);
+    return outputs(f.position, f.at.a + f.at.b_dx + f.at.c_dx + f.at.b_dy + f.at.c_dy + f.distance);
+}
+
+Outputs shading_steps(Inputs i)
+{
+    vec3 moved = moved_on_plane(direction(i.a, i.b), vec3(0.1, 0.2, 0.3) + 3.0 * direction(i.a, i.b), i.c,
+                                vec3(i.d, i.e, i.f), vec3(i.g, i.h, i.a));
+    return outputs(moved, largest_part(moved) + believed(i.h) + believed(1.0e16 + i.h));
+}
+
+Turning some_turning(Inputs i)
+{
+    return turning_of(2.0 * direction(i.a, i.b) , 0.1 * direction(i.c, i.d), 0.1 * direction(i.e, i.f));
+}
+
+Outputs shading_turning(Inputs i)
+{
+    Turning t = some_turning(i);
+    return outputs(t.normal + t.dx + t.dy, i.h);
+}
+
+Outputs shading_mapped(Inputs i)
+{
+    vec3 mapped = mapped_normal(direction(i.a, i.b), vec3(1.0, i.c, i.d), 1.0, vec3(i.e, i.f, 0.6 + 0.4 * i.g), i.h);
+    vec3 change = mirrored_change(direction(i.a, i.b), direction(i.c, i.d), 0.1 * direction(i.e, i.f), vec3(i.g, 0.0, i.h));
+    return outputs(mapped, change.x + change.y + change.z);
+}
+
+Outputs shading_surface(Inputs i)
+{
+    Turning t = some_turning(i);
+    Surface s = surface_at(some_sight(i), some_facet(i), t, vec3(0.4, 0.3, 0.9) + 0.4 * direction(i.e, i.f), 1.0);
+    vec3 mirrored_changes = s.mirrored_dx + 2.0 * s.mirrored_dy;
+    return outputs(s.view + s.normal, mirrored_changes.x + mirrored_changes.y + s.depth);
+}
+
+Outputs shading_material(Inputs i)
+{
+    Phong p = phong_from_metallic(vec3(i.a, i.b, i.c), i.d, 0.3 + 0.7 * i.e);
+    return outputs(p.diffuse + p.specular, alpha_of_roughness(i.f) + 0.001 * p.exponent);
+}
+
+Outputs shading_texture(Inputs i)
+{
+    TexturePoint p = {vec2(i.a, i.b), vec2(0.05 * i.c, 0.02 * i.d), vec2(0.03 * i.e, 0.04 * i.f)};
+    TextureFootprint f = texture_footprint(p, vec2(256.0, 128.0), 7.0);
+    return outputs(vec3(f.level, f.ratio, 0.01 * f.longer2), repeated(8.0 * i.g - 4.0) + repeated_mirrored(8.0 * i.h - 4.0) + snapped(i.a, 8.0));
+}
+
 Outputs probe(int which, Inputs i)
 {
 #define PROBE(number, name, lanes_absolute, lanes_relative, glsl_absolute, glsl_relative)                    \

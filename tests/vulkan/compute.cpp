@@ -66,8 +66,9 @@ void Compute::run(std::span<const uint32_t> spirv, std::span<std::vector<float>>
         resources.push_back({&made.back(), nullptr, VK_NULL_HANDLE});
     }
     const std::vector<vulkan::Binding> bindings(buffers.size(), vulkan::Binding::storage_buffer);
-    const vulkan::ComputePipeline pipeline(device_, cache_, {spirv, bindings, 0, {}});
-    const vulkan::BindingSet set(device_, pipeline, resources);
+    const vulkan::ShaderLayout layout(device_, bindings, 0);
+    const vulkan::ComputePipeline pipeline(cache_, layout, spirv);
+    const vulkan::BindingSet set(device_, layout, resources);
     vulkan::Commands commands(device_);
     commands.dispatch(pipeline, set, {}, groups);
     commands.run();

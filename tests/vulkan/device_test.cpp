@@ -115,17 +115,15 @@ TEST_F(OnDevice, CubesAreReadByDirectionAndLevel)
     std::memcpy(in.memory().data(), places.data(), sizeof places);
     const vulkan::PipelineCache cache(device(), {});
     using vulkan::Binding;
-    const vulkan::ComputePipeline pipeline(
-        device(), cache,
-        {levels_shader,
-         {Binding::storage_buffer, Binding::sampled_cube, Binding::storage_buffer},
-         sizeof(float),
-         {2u}});
-    const vulkan::Sampler sampler(device(), false);
+    const vulkan::ShaderLayout layout(
+        device(), {Binding::storage_buffer, Binding::sampled_cube, Binding::storage_buffer}, sizeof(float));
+    const std::array<std::uint32_t, 1> twice = {2u};
+    const vulkan::ComputePipeline pipeline(cache, layout, levels_shader, twice);
+    const vulkan::Sampler sampler(device(), vulkan::Filter::clamped);
     const std::array<vulkan::Resource, 3> resources = {{{&in, nullptr, VK_NULL_HANDLE},
                                                         {nullptr, &cube, sampler.handle()},
                                                         {&out, nullptr, VK_NULL_HANDLE}}};
-    const vulkan::BindingSet set(device(), pipeline, resources);
+    const vulkan::BindingSet set(device(), layout, resources);
     const float offset = 0.5f;
     vulkan::Commands commands(device());
     commands.dispatch(pipeline, set, std::as_bytes(std::span(&offset, 1)),
@@ -139,21 +137,16 @@ TEST_F(OnDevice, CubesAreReadByDirectionAndLevel)
 
 TEST_F(OnDevice, WrongResourcesAreRefused)
 {
-    const vulkan::PipelineCache cache(device(), {});
     using vulkan::Binding;
-    const vulkan::ComputePipeline pipeline(
-        device(), cache,
-        {levels_shader,
-         {Binding::storage_buffer, Binding::sampled_cube, Binding::storage_buffer},
-         sizeof(float),
-         {1u}});
+    const vulkan::ShaderLayout layout(
+        device(), {Binding::storage_buffer, Binding::sampled_cube, Binding::storage_buffer}, sizeof(float));
     const Buffer buffer(device(), 16, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Place::upload);
     const std::array<vulkan::Resource, 1> few = {{{&buffer, nullptr, VK_NULL_HANDLE}}};
-    EXPECT_THROW(vulkan::BindingSet(device(), pipeline, few), std::invalid_argument);
+    EXPECT_THROW(vulkan::BindingSet(device(), layout, few), std::invalid_argument);
     const std::array<vulkan::Resource, 3> wrong = {{{&buffer, nullptr, VK_NULL_HANDLE},
                                                     {&buffer, nullptr, VK_NULL_HANDLE},
                                                     {&buffer, nullptr, VK_NULL_HANDLE}}};
-    EXPECT_THROW(vulkan::BindingSet(device(), pipeline, wrong), std::invalid_argument);
+    EXPECT_THROW(vulkan::BindingSet(device(), layout, wrong), std::invalid_argument);
 }
 
 TEST_F(OnDevice, PassesTakeTime)

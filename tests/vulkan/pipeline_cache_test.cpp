@@ -28,7 +28,8 @@ bool compile(const vulkan::Device& device, const std::string& file)
 {
     const vulkan::PipelineCache cache(device, file);
     const std::vector<vulkan::Binding> two(2, vulkan::Binding::storage_buffer);
-    const vulkan::ComputePipeline pipeline(device, cache, {squares, two, 0, {}});
+    const vulkan::ShaderLayout layout(device, two, 0);
+    const vulkan::ComputePipeline pipeline(cache, layout, squares);
     cache.keep();
     return cache.loaded();
 }

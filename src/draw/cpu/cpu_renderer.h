@@ -1,7 +1,6 @@
 // The backend that needs no GPU: Embree for what is seen, SIMD lanes for how it looks.
 #pragma once
 
-#include "draw/cpu/fragment_lighter.h"
 #include "draw/renderer.h"
 #include "scene/scene.h"
 
@@ -12,8 +11,5 @@ namespace lambent::draw {
 /// A renderer of `scene`, which must outlive it. Work is spread over the calling TBB arena.
 /// Throws Error(no_device) if the processor cannot run Embree or memory does not suffice.
 std::unique_ptr<Renderer> make_cpu_renderer(const scene::Scene& scene);
-
-/// The same, but for the light on surfaces, which is left to somebody else, many fragments at a time.
-std::unique_ptr<Renderer> make_cpu_renderer(const scene::Scene& scene, MakeLighter make_lighter);
 
 } // namespace lambent::draw

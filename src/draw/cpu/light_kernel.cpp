@@ -131,7 +131,10 @@ HWY_INLINE vec3 environment_report_radiance(const Environment& e, vec3 d, Real l
     return sum;
 }
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function" // surfaces are found elsewhere
 #include "shading/all.glsl"
+#pragma GCC diagnostic pop
 
 // A direction of the world, in the environment's own frame.
 vec3 turned(const LightContext& c, vec3 d)

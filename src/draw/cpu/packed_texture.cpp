@@ -202,6 +202,11 @@ void store_linear(const LinearLevel& level, int index, const Source& source, Pac
 
 } // namespace
 
+const float* code_light(TexelTransfer transfer)
+{
+    return tables(transfer).light.data();
+}
+
 PackedTexture pack_texture(const image::CodeImage& image, const scene::Sampler& sampler,
                            TexelTransfer transfer)
 {
@@ -209,8 +214,8 @@ PackedTexture pack_texture(const image::CodeImage& image, const scene::Sampler& 
     texture.sampler = sampler;
     texture.half_floats = image.bits == 16;
     texture.transfer = transfer;
-    texture.light = tables(transfer).light.data();
-    texture.alpha = tables(TexelTransfer::none).light.data();
+    texture.light = code_light(transfer);
+    texture.alpha = code_light(TexelTransfer::none);
     const unsigned longer = static_cast<unsigned>(std::max(image.width, image.height));
     texture.levels = sampler.mipmapped ? static_cast<int>(std::bit_width(longer)) : 1;
     texture.levels = std::min(texture.levels, PackedTexture::most_levels);

@@ -32,4 +32,7 @@ struct PackedTexture {
 PackedTexture pack_texture(const image::CodeImage& image, const scene::Sampler& sampler,
                            TexelTransfer transfer);
 
+/// Linear light of the 256 codes.
+const float* code_light(TexelTransfer transfer);
+
 } // namespace lambent::draw

@@ -1,13 +1,11 @@
 // A scene with all that does not change from picture to picture worked out.
 #pragma once
 
-#include "draw/cpu/light_kernel.h"
-#include "draw/cpu/packed_texture.h"
+#include "draw/cpu/scene_textures.h"
 #include "draw/cpu/surface_kernel.h"
 #include "trace/visibility.h"
 #include "scene/scene.h"
 
-#include <span>
 #include <vector>
 
 namespace lambent::draw {
@@ -28,24 +26,9 @@ public:
     bool culls_back(std::uint32_t instance) const { return !surfaces_[instance].material->double_sided; }
 
 private:
-    const PackedTexture* texture(const scene::TextureUse& use, TexelTransfer transfer) const;
-    void pack_textures(TexelTransfer color);
-
-    struct Packed {
-        int image;
-        scene::Sampler sampler;
-        TexelTransfer transfer;
-        PackedTexture texture;
-    };
-
-    const scene::Scene& scene_;
     Visibility visibility_;
-    std::vector<Packed> textures_; ///< each image once for every way of reading it
+    SceneTextures textures_;
     std::vector<SurfaceContext> surfaces_;
 };
-
-/// The scene's lights and `more`, as the kernel wants them.
-std::vector<LightSource> light_sources(std::span<const scene::Light> lights,
-                                       std::span<const scene::Light> more);
 
 } // namespace lambent::draw

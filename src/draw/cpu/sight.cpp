@@ -9,9 +9,11 @@ namespace {
 // A ray that has gone through so many backs sees nothing any more.
 constexpr int most_backs = 256;
 
-// Whether all rays of pictures of any size that is drawn may be traced. Not a number is not within.
+} // namespace
+
 bool within_reach(const RayMap& map)
 {
+    // Not a number is not within.
     constexpr float widest = 65536.0f;
     const auto all_within = [](const glm::vec3& start, const glm::vec3& dx, const glm::vec3& dy) {
         const glm::vec3 most = glm::abs(start) + widest * (glm::abs(dx) + glm::abs(dy));
@@ -20,8 +22,6 @@ bool within_reach(const RayMap& map)
     return all_within(map.origin, map.origin_dx, map.origin_dy) &&
            all_within(map.direction, map.direction_dx, map.direction_dy);
 }
-
-} // namespace
 
 Sight::Sight(const PreparedScene& scene, const RayMap& map)
     : scene_(scene), map_(map), within_reach_(within_reach(map))

@@ -14,13 +14,12 @@ namespace {
 
 #include "wide/wide.h"
 #include "draw/cpu/wide_fragments.h"
+#include "shading/texture.glsl"
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function" // triangles are met by Embree
+#include "shading/surface.glsl"
+#pragma GCC diagnostic pop
 #include "draw/cpu/wide_texture.h"
-
-// Smallest alpha: below it a lobe is narrower than float arithmetic tells apart.
-constexpr double least_alpha = 1.0e-4;
-
-// A shading normal that faces further away from the viewer than this is bent towards him.
-constexpr double least_view_cosine = 1.0e-3;
 
 mat3 uniform(const glm::mat3& m)
 {
@@ -55,12 +54,6 @@ vec3 corner3(const Corners<components>& corners, int corner)
                 load(corners.values[corner][2]));
 }
 
-// Weights of the three corners, and how those of corners 1 and 2 change to the next pixel right and below.
-struct Barycentric {
-    Real a, b, c;
-    Real b_dx, c_dx, b_dy, c_dy;
-};
-
 template <int components>
 Real interpolate(const Corners<components>& corners, int i, const Barycentric& at)
 {
@@ -81,87 +74,36 @@ vec3 change(const Corners<components>& corners, Real b, Real c)
     return b * (corner3(corners, 1) - corner3(corners, 0)) + c * (corner3(corners, 2) - corner3(corners, 0));
 }
 
-// A ray of sight and its neighbours'.
-struct Sight {
-    vec3 origin_dx, origin_dy, direction, direction_dx, direction_dy;
-};
-
-Sight sight_through(const RayMap& rays, Real x, Real y)
+SightRay sight_through(const RayMap& rays, Real x, Real y)
 {
-    return {uniform(rays.origin_dx), uniform(rays.origin_dy),
+    return {uniform(rays.origin) + x * uniform(rays.origin_dx) + y * uniform(rays.origin_dy),
+            uniform(rays.origin_dx),
+            uniform(rays.origin_dy),
             uniform(rays.direction) + x * uniform(rays.direction_dx) + y * uniform(rays.direction_dy),
-            uniform(rays.direction_dx), uniform(rays.direction_dy)};
+            uniform(rays.direction_dx),
+            uniform(rays.direction_dy)};
 }
 
-// The triangle in the world and the point that is seen.
-struct Facet {
-    vec3 position, normal; // normal: counter-clockwise side of the world's triangle, not normalised
-    Barycentric at;
-};
-
-// How far the seen point moves on the triangle's plane when the ray moves. [Igehy 1999, "Tracing ray differentials"]
-vec3 moved_on_plane(const Sight& s, vec3 normal, Real distance, vec3 origin_step, vec3 direction_step)
-{
-    const vec3 step = origin_step + distance * direction_step;
-    const Real towards = dot(s.direction, normal);
-    const Real safe = select(abs(towards) < 1.0e-30, 1.0e-30, towards);
-    return step - (dot(step, normal) / safe) * s.direction;
-}
-
-Real largest_part(vec3 v)
-{
-    return max(abs(v.x), max(abs(v.y), abs(v.z)));
-}
-
-// A rate of change, or 0 where it overflowed: what is looked up by it has to be a number.
-Real believed(Real rate)
-{
-    return select(abs(rate) < 1.0e15, rate, 0.0);
-}
-
-Facet facet_at(const SurfaceContext& c, const Fragments& f, size_t at, const Sight& sight)
+Facet seen_facet(const SurfaceContext& c, const Fragments& f, size_t at, const SightRay& sight)
 {
     Corners<3> corners;
     gather(c, c.mesh->positions, f.triangle.data() + at, corners);
     const mat3 linear = uniform(glm::mat3(c.transform));
-    const vec3 origin = linear * corner3(corners, 0) + uniform(glm::vec3(c.transform[3]));
-    const vec3 edge1 = linear * (corner3(corners, 1) - corner3(corners, 0));
-    const vec3 edge2 = linear * (corner3(corners, 2) - corner3(corners, 0));
-    // In units of the triangle's size: the fourth powers of the edges that follow leave the range of floats early.
-    const Real unit = reciprocal(clamp(max(largest_part(edge1), largest_part(edge2)), 1.0e-30, 1.0e30));
-    const vec3 e1 = unit * edge1, e2 = unit * edge2;
-    const vec3 normal = cross(e1, e2);
-    const Real u = load(f[hit_u] + at), v = load(f[hit_v] + at), distance = load(f[hit_distance] + at);
-    const Real scale = unit / max(dot(normal, normal), 1.0e-36);
-    const vec3 dx = moved_on_plane(sight, normal, distance, sight.origin_dx, sight.direction_dx);
-    const vec3 dy = moved_on_plane(sight, normal, distance, sight.origin_dy, sight.direction_dy);
-    const vec3 across_b = scale * cross(e2, normal), across_c = scale * cross(normal, e1);
-    const Barycentric weights{1.0 - u - v,
-                              u,
-                              v,
-                              believed(dot(dx, across_b)),
-                              believed(dot(dx, across_c)),
-                              believed(dot(dy, across_b)),
-                              believed(dot(dy, across_c))};
-    return {origin + u * edge1 + v * edge2, normal, weights};
+    const Triangle triangle = {linear * corner3(corners, 0) + uniform(glm::vec3(c.transform[3])),
+                               linear * (corner3(corners, 1) - corner3(corners, 0)),
+                               linear * (corner3(corners, 2) - corner3(corners, 0))};
+    const Meeting meeting = {load(f[hit_distance] + at), load(f[hit_u] + at), load(f[hit_v] + at)};
+    return facet_at(sight, triangle, meeting);
 }
-
-// A shading normal and how it turns to the next pixel right and below.
-struct Turning {
-    vec3 normal, dx, dy;
-};
 
 Turning shading_normal(const SurfaceContext& c, const Fragments& f, size_t at, const Barycentric& weights)
 {
     Corners<3> corners;
     gather(c, c.mesh->normals, f.triangle.data() + at, corners);
     const mat3 to_world = uniform(c.normals);
-    const vec3 sum = to_world * interpolate3(corners, weights);
-    const Real inverse = inversesqrt(max(dot(sum, sum), 1.0e-30));
-    const vec3 normal = inverse * sum;
-    const vec3 dx = inverse * (to_world * change(corners, weights.b_dx, weights.c_dx));
-    const vec3 dy = inverse * (to_world * change(corners, weights.b_dy, weights.c_dy));
-    return {normal, dx - dot(normal, dx) * normal, dy - dot(normal, dy) * normal};
+    return turning_of(to_world * interpolate3(corners, weights),
+                      to_world * change(corners, weights.b_dx, weights.c_dx),
+                      to_world * change(corners, weights.b_dy, weights.c_dy));
 }
 
 TexturePoint texture_point(const scene::TextureUse& use, const Corners<2>* sets, const Barycentric& at)
@@ -202,33 +144,17 @@ struct Texturing {
     }
 };
 
-// The normal that a normal map asks for, in the frame of the interpolated tangent. [glTF 2.0, 3.9.3]
-vec3 mapped_normal(const SurfaceContext& c, const Fragments& f, size_t at, const Texturing& t, vec3 normal)
+// The normal with its map, if there is one.
+vec3 bumped(const SurfaceContext& c, const Fragments& f, size_t at, const Texturing& t, vec3 normal)
 {
     if (!c.textures.normal || c.mesh->tangents.empty())
         return normal;
     Corners<4> corners;
     gather(c, c.mesh->tangents, f.triangle.data() + at, corners);
-    // Of unit length, or the bumps would grow and shrink with the mesh.
     const vec3 along = uniform(glm::mat3(c.transform)) * interpolate3(corners, t.at);
-    const vec3 tangent = inversesqrt(max(dot(along, along), 1.0e-30)) * along;
-    const vec3 bitangent = (Real(c.handedness) * load(corners.values[0][3])) * cross(normal, tangent);
     const Color code = t.read(c.textures.normal, c.material->normal_texture, 0.0);
-    const Real scale = c.material->normal_scale;
-    const vec3 mapped = ((2.0 * code.r - 1.0) * scale) * tangent +
-                        ((2.0 * code.g - 1.0) * scale) * bitangent + (2.0 * code.b - 1.0) * normal;
-    const Real length2 = dot(mapped, mapped);
-    return select(length2 > 1.0e-12, inversesqrt(max(length2, 1.0e-12)) * mapped, normal);
-}
-
-// Change of the mirrored direction from that of view and normal. V = -direction / |direction|.
-vec3 mirrored_change(vec3 normal, vec3 view, vec3 normal_change, vec3 view_change)
-{
-    const Real cosine_change = dot(normal_change, view) + dot(normal, view_change);
-    const vec3 d = 2.0 * (cosine_change * normal + dot(normal, view) * normal_change) - view_change;
-    // A footprint of half the sky says that the triangle is seen edge on; more than that says nothing.
-    const Real length2 = dot(d, d);
-    return select(length2 > 1.0, inversesqrt(max(length2, 1.0)) * d, d);
+    return mapped_normal(normal, along, Real(c.handedness) * load(corners.values[0][3]),
+                         vec3(code.r, code.g, code.b), c.material->normal_scale);
 }
 
 struct Material {
@@ -262,17 +188,14 @@ Material material_at(const SurfaceContext& c, const Fragments& f, size_t at, con
             uniform(m.emissive) * vec3(emitted.r, emitted.g, emitted.b)};
 }
 
-// The report's parameters: given, or as near as its model comes to metal and dielectric.
+// The report's parameters where they are given.
 void store_phong(const SurfaceContext& c, const Material& m, size_t at, Fragments& f)
 {
-    const vec3 base(m.base.r, m.base.g, m.base.b);
     const scene::PhongMaterial& given = c.material->phong;
-    const vec3 diffuse = given.diffuse ? uniform(*given.diffuse) : (1.0 - m.metalness) * base;
-    const vec3 specular = given.specular ? uniform(*given.specular) : base_reflectance(base, m.metalness);
-    const Real exponent = given.exponent ? Real(*given.exponent) : phong_exponent(m.roughness * m.roughness);
-    store3(diffuse, f, base_r, at);
-    store3(specular, f, specular_r, at);
-    store(exponent, f[gloss] + at);
+    const Phong p = phong_from_metallic(vec3(m.base.r, m.base.g, m.base.b), m.metalness, m.roughness);
+    store3(given.diffuse ? uniform(*given.diffuse) : p.diffuse, f, base_r, at);
+    store3(given.specular ? uniform(*given.specular) : p.specular, f, specular_r, at);
+    store(given.exponent ? Real(*given.exponent) : p.exponent, f[gloss] + at);
 }
 
 void store_material(const SurfaceContext& c, const Material& m, size_t at, Fragments& f)
@@ -287,36 +210,26 @@ void store_material(const SurfaceContext& c, const Material& m, size_t at, Fragm
     } else {
         store3(base, f, base_r, at);
         store3(base_reflectance(base, m.metalness), f, specular_r, at);
-        store(max(m.roughness * m.roughness, least_alpha), f[gloss] + at);
+        store(alpha_of_roughness(m.roughness), f[gloss] + at);
     }
     store3(material.unlit ? base : m.emitted, f, emitted_r, at);
 }
 
 void find_surface(const SurfaceContext& c, size_t at, Fragments& f)
 {
-    const Sight sight = sight_through(c.rays, load(f[place_x] + at), load(f[place_y] + at));
-    const Facet facet = facet_at(c, f, at, sight);
+    const SightRay sight = sight_through(c.rays, load(f[place_x] + at), load(f[place_y] + at));
+    const Facet facet = seen_facet(c, f, at, sight);
     const Texturing texturing(c, f, at, facet.at);
-    Turning turning = shading_normal(c, f, at, facet.at);
-
-    const Real length = inversesqrt(max(dot(sight.direction, sight.direction), 1.0e-30));
-    const vec3 view = -(length * sight.direction);
-    const auto view_change = [&](vec3 step) HWY_ATTR { return -(length * (step - dot(step, view) * view)); };
-
-    const Mask behind = Real(c.handedness) * dot(facet.normal, view) < 0.0;
-    const vec3 mapped = mapped_normal(c, f, at, texturing, turning.normal);
-    const vec3 normal = facing_normal(select(behind, -mapped, mapped), view, least_view_cosine);
-    const Real side = select(behind, -1.0, 1.0);
-
-    store3(facet.position, f, position_x, at);
-    store(load(f[hit_distance] + at) * sqrt(dot(sight.direction, sight.direction)), f[depth] + at);
-    store3(view, f, view_x, at);
-    store3(normal, f, shading_x, at);
+    const Turning turning = shading_normal(c, f, at, facet.at);
+    const Surface surface =
+        surface_at(sight, facet, turning, bumped(c, f, at, texturing, turning.normal), c.handedness);
     const Real part = load(f[extent] + at);
-    store3(part * mirrored_change(normal, view, side * turning.dx, view_change(sight.direction_dx)), f,
-           mirrored_dx_x, at);
-    store3(part * mirrored_change(normal, view, side * turning.dy, view_change(sight.direction_dy)), f,
-           mirrored_dy_x, at);
+    store3(facet.position, f, position_x, at);
+    store(surface.depth, f[depth] + at);
+    store3(surface.view, f, view_x, at);
+    store3(surface.normal, f, shading_x, at);
+    store3(part * surface.mirrored_dx, f, mirrored_dx_x, at);
+    store3(part * surface.mirrored_dy, f, mirrored_dy_x, at);
     store_material(c, material_at(c, f, at, texturing), at, f);
 }
 

@@ -3,22 +3,13 @@
 
 #include "draw/settings.h"
 #include "draw/cpu/fragments.h"
-#include "draw/cpu/packed_texture.h"
+#include "draw/cpu/scene_textures.h"
 #include "scene/scene.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 
 namespace lambent::draw {
-
-/// A material's textures; null where it has none.
-struct MaterialTextures {
-    const PackedTexture* base_color = nullptr;
-    const PackedTexture* metallic_roughness = nullptr;
-    const PackedTexture* normal = nullptr;
-    const PackedTexture* occlusion = nullptr;
-    const PackedTexture* emissive = nullptr;
-};
 
 /// What all fragments of a group share.
 struct SurfaceContext {

@@ -1,6 +1,7 @@
 #include "draw/cpu/tile.h"
 
-#include "draw/cpu/layer_list.h"
+#include "draw/cpu/light_choice.h"
+#include "draw/layer_list.h"
 
 #include <glm/geometric.hpp>
 
@@ -10,10 +11,6 @@
 
 namespace lambent::draw {
 namespace {
-
-// What is left of a ray behind transparent surfaces is not worth following below this.
-constexpr float least_weight = 1.0f / 1024.0f;
-constexpr int most_waves = 256;
 
 constexpr std::uint32_t no_surface = std::numeric_limits<std::uint32_t>::max();
 
@@ -54,7 +51,10 @@ bool shares_shading(const Hit& a, const Hit& b, float least_cosine)
 
 } // namespace
 
-TileDrawer::TileDrawer(const Picture& picture) : picture_(picture), sight_(picture.scene, picture.rays) {}
+TileDrawer::TileDrawer(const Picture& picture)
+    : picture_(picture), sight_(picture.scene, picture.prepared.rays)
+{
+}
 
 void TileDrawer::draw(const TileArea& area, Frame& frame)
 {
@@ -93,7 +93,7 @@ void TileDrawer::look_at_centres(const TileArea& area)
     sight_.look(centres_);
     seen_.resize(centres_.size());
     centre_.resize(centres_.size());
-    const RayMap& rays = picture_.rays;
+    const RayMap& rays = picture_.prepared.rays;
     for (const Look& look : centres_) {
         Seen& seen = seen_[look.pixel];
         centre_[look.pixel] = static_cast<std::uint32_t>(&look - centres_.data());
@@ -115,7 +115,7 @@ bool TileDrawer::is_edge(int column, int row) const
     const int first = column > 0 ? -1 : 0, last = column < apron_width_ - 1 ? 1 : 0;
     for (int r = row > 0 ? -1 : 0; r <= (row < apron_height_ - 1 ? 1 : 0); ++r)
         for (int c = first; c <= last; ++c)
-            if (!same_surface(*middle, middle[r * apron_width_ + c], picture_.edges.bend_cosine))
+            if (!same_surface(*middle, middle[r * apron_width_ + c], picture_.prepared.edges.bend_cosine))
                 return true;
     return false;
 }
@@ -125,7 +125,7 @@ void TileDrawer::choose_looks(const TileArea& area)
 {
     looks_.clear();
     edges_.clear();
-    const std::vector<glm::vec2>& places = picture_.edges.places;
+    const std::vector<glm::vec2>& places = picture_.prepared.edges.places;
     const bool several = places.size() > 1;
     for (int y = 0; y < area.height; ++y)
         for (int x = 0; x < area.width; ++x) {
@@ -137,7 +137,7 @@ void TileDrawer::choose_looks(const TileArea& area)
                 continue;
             }
             look.weight = 1.0f / static_cast<float>(places.size());
-            look.extent = picture_.edges.extent;
+            look.extent = picture_.prepared.edges.extent;
             look.near = 0.0f;
             for (const glm::vec2& place : places) {
                 look.x = static_cast<float>(area.x + x) + place.x;
@@ -184,7 +184,7 @@ void TileDrawer::build_fragments()
             first_of_pixel = surfaces_.size();
         std::size_t at = first_of_pixel;
         while (at < surfaces_.size() &&
-               !shares_shading(look.hit, surfaces_[at].hit, picture_.edges.shared_cosine))
+               !shares_shading(look.hit, surfaces_[at].hit, picture_.prepared.edges.shared_cosine))
             ++at;
         if (at == surfaces_.size() && look.weight <= 0.0f)
             continue;
@@ -257,7 +257,7 @@ void TileDrawer::place_fragments()
 void TileDrawer::find_group(const Fragments::Group& group)
 {
     SurfaceContext context = picture_.scene.surface(group.instance);
-    context.rays = picture_.rays;
+    context.rays = picture_.prepared.rays;
     context.model = picture_.settings.model;
     find_surfaces(context, group.begin, group.end, fragments_);
 }
@@ -268,16 +268,29 @@ void TileDrawer::darken(const Fragments::Group& group)
         std::fill(fragments_[Column(c)] + group.begin, fragments_[Column(c)] + group.end, 0.0f);
 }
 
+scene::Bounds TileDrawer::bounds_of(const Fragments::Group& group) const
+{
+    scene::Bounds box;
+    for (int axis = 0; axis < 3; ++axis) {
+        const float* const values = fragments_[Column(position_x + static_cast<std::size_t>(axis))];
+        const auto [low, high] = std::minmax_element(values + group.begin, values + group.end);
+        box.low[axis] = *low, box.high[axis] = *high;
+    }
+    return box;
+}
+
 void TileDrawer::light_group(const Fragments::Group& group)
 {
     darken(group);
     if (picture_.scene.surface(group.instance).material->unlit)
         return;
-    if (!picture_.lights.empty())
-        light_directly(picture_.light, picture_.lights, group.begin, group.end, fragments_);
-    if (picture_.light.environment) {
-        light_ambiently(picture_.light, group.begin, group.end, fragments_);
-        light_specularly(picture_.light, group.begin, group.end, fragments_);
+    if (!picture_.prepared.lights.empty()) {
+        choose_lights(picture_.prepared.lights, bounds_of(group), lights_);
+        light_directly(picture_.prepared.light, lights_, group.begin, group.end, fragments_);
+    }
+    if (picture_.prepared.light.environment) {
+        light_ambiently(picture_.prepared.light, group.begin, group.end, fragments_);
+        light_specularly(picture_.prepared.light, group.begin, group.end, fragments_);
     }
 }
 
@@ -285,17 +298,8 @@ void TileDrawer::shade()
 {
     for (const Fragments::Group& group : fragments_.groups) {
         find_group(group);
-        if (picture_.lighter)
-            darken(group);
-        else
-            light_group(group);
+        light_group(group);
     }
-    if (!picture_.lighter || fragments_.size() == 0)
-        return;
-    picture_.lighter->light(fragments_);
-    for (const Fragments::Group& group : fragments_.groups)
-        if (picture_.scene.surface(group.instance).material->unlit)
-            darken(group);
 }
 
 // The looks that go on behind what is transparent; what is seen there has the weight that is left.
@@ -354,8 +358,9 @@ void TileDrawer::resolve(Frame& frame, const TileArea& area)
 void TileDrawer::add_background(Frame& frame, const TileArea& area)
 {
     const Background& background = picture_.settings.background;
-    const bool lit = picture_.light.environment && (background.kind == Background::Kind::environment ||
-                                                    background.kind == Background::Kind::blurred);
+    const bool lit =
+        picture_.prepared.light.environment &&
+        (background.kind == Background::Kind::environment || background.kind == Background::Kind::blurred);
     if (!lit && background.kind != Background::Kind::color)
         return;
     alignas(64) float row[3][largest_size];
@@ -368,9 +373,10 @@ void TileDrawer::add_background(Frame& frame, const TileArea& area)
         if (std::all_of(shares, shares + area.width, [](float share) { return share <= 0.0f; }))
             continue;
         if (lit)
-            light_background(
-                picture_.light, picture_.rays,
-                {static_cast<float>(area.y + y) + 0.5f, area.x, area.width, picture_.background_level}, rgb);
+            light_background(picture_.prepared.light, picture_.prepared.rays,
+                             {static_cast<float>(area.y + y) + 0.5f, area.x, area.width,
+                              picture_.prepared.background_level},
+                             rgb);
         for (int x = 0; x < area.width; ++x) {
             const glm::vec3 light = shares[x] * glm::vec3(row[0][x], row[1][x], row[2][x]);
             for (image::RadianceImage* image :

@@ -1,12 +1,10 @@
 // One tile of a picture, from rays to radiance: the deferred passes over a G-buffer that stays in the cache.
 #pragma once
 
-#include "draw/cpu/fragment_lighter.h"
 #include "draw/cpu/fragments.h"
 #include "draw/cpu/light_kernel.h"
 #include "draw/cpu/sight.h"
-#include "draw/frame.h"
-#include "draw/settings.h"
+#include "draw/prepared_picture.h"
 
 #include <glm/vec2.hpp>
 
@@ -15,24 +13,11 @@
 
 namespace lambent::draw {
 
-/// Where a pixel is looked at several times, and which of these looks are lit as one.
-struct Edges {
-    std::vector<glm::vec2> places; ///< inside a pixel, [0, 1)
-    float bend_cosine = 0.0f;      ///< a surface that bends further from pixel to pixel is an edge
-    float shared_cosine = 0.0f; ///< looks share one shading point while the surface bends less between them
-    float extent = 1.0f;        ///< of a look
-};
-
 /// What all tiles of a picture share.
 struct Picture {
     const PreparedScene& scene;
     const Settings& settings;
-    RayMap rays;
-    LightContext light;
-    std::vector<LightSource> lights;
-    Edges edges;
-    float background_level = -1.0f;     ///< of blur; below 0: the panorama itself
-    FragmentLighter* lighter = nullptr; ///< null: the processor
+    const PreparedPicture& prepared;
 };
 
 struct TileArea {
@@ -49,8 +34,7 @@ struct Seen {
 /// Draws tiles one after the other; one per thread.
 class TileDrawer {
 public:
-    static constexpr int usual_size = 32;    ///< its fragments stay in the cache
-    static constexpr int largest_size = 256; ///< for who is slow to be called
+    static constexpr int largest_size = 32; ///< its fragments stay in the cache
 
     explicit TileDrawer(const Picture& picture);
 
@@ -67,6 +51,7 @@ private:
     void place_fragment(const Look& look, std::size_t at);
     void shade();
     void find_group(const Fragments::Group& group);
+    scene::Bounds bounds_of(const Fragments::Group& group) const;
     void light_group(const Fragments::Group& group);
     void darken(const Fragments::Group& group);
     void look_behind();
@@ -87,6 +72,7 @@ private:
     std::vector<glm::vec2> means_;          ///< of each of surfaces_: sum of its looks' places, weighted
     std::vector<std::uint32_t> surface_of_; ///< of each of looks_: index into surfaces_
     std::vector<std::uint32_t> group_of_;   ///< of each of surfaces_
+    std::vector<LightSource> lights_;       ///< that reach the present group
     std::vector<float> background_;         ///< per pixel of the tile: share that nothing covers
 };
 

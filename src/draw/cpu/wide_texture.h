@@ -1,4 +1,4 @@
-// Reading PackedTextures with lanes of coordinates. Included after wide/wide.h and environment/wide_cube.h, inside the
+// Reading PackedTextures with lanes of coordinates. Included after wide/wide.h and shading/texture.glsl, inside the
 // target's namespace: no guard. Addresses are found per lane in plain code, which the compiler turns into vectors of
 // eight: two RGBA texels.
 
@@ -7,23 +7,12 @@ struct Color {
     Real r, g, b, a;
 };
 
-// Where a texture is read: coordinates, and how they change to the next pixel on the right and below.
-struct TexturePoint {
-    vec2 uv, dx, dy;
-};
-
-// Up to this many reads are spread along the longer axis of a pixel's footprint.
-constexpr int most_anisotropic_reads = 8;
-
 // A coordinate brought to [0, 1] by the sampler.
 HWY_INLINE Real wrapped(Real x, scene::Wrap wrap)
 {
     if (wrap == scene::Wrap::repeat)
-        return x - floor(x);
-    if (wrap == scene::Wrap::clamp_to_edge)
-        return clamp(x, 0.0, 1.0);
-    const Real twice = x - 2.0 * floor(0.5 * x);
-    return min(twice, 2.0 - twice);
+        return repeated(x);
+    return wrap == scene::Wrap::clamp_to_edge ? clamp(x, 0.0, 1.0) : repeated_mirrored(x);
 }
 
 // Adds two neighbouring texels, weighed, to eight sums (r g b a of the left, then of the right one).
@@ -93,39 +82,23 @@ HWY_INLINE void add_reads(const PackedTexture& t, const TextureReads& reads, flo
     }
 }
 
-// Coordinates moved to the centre of their texel, for samplers that ask for blocks when magnified.
-HWY_INLINE Real snapped(Real x, int size)
-{
-    return (floor(x * Real(size)) + 0.5) * Real(1.0f / static_cast<float>(size));
-}
-
-// Filtered over the pixel's footprint: its shorter axis chooses the level, reads are spread along the longer.
-// [Heckbert 1989, "Fundamentals of texture mapping"; as EXT_texture_filter_anisotropic describes it]
+// Filtered over the pixel's footprint.
 HWY_INLINE Color read_texture(const PackedTexture& t, TexturePoint p)
 {
     const Real width = t.width[0], height = t.height[0];
-    const vec2 dx(p.dx.x * width, p.dx.y * height), dy(p.dy.x * width, p.dy.y * height);
-    const Real x2 = dot(dx, dx), y2 = dot(dy, dy);
-    const Real longer2 = max(max(x2, y2), 1.0e-12);
-    const Real shorter2 =
-        max(min(x2, y2), longer2 * (1.0 / (most_anisotropic_reads * most_anisotropic_reads)));
-    const Real level = clamp(0.5 * log2(shorter2), 0.0, t.levels - 1);
-    // Infinite footprints have no ratio.
-    const Real ratio = select(longer2 > 1.0 && longer2 < 1.0e37, sqrt(longer2 / shorter2), 1.0);
-    const int reads = t.levels > 1 ? static_cast<int>(ceil(largest_lane(ratio) - 0.01f)) : 1;
-    const Mask along_x = x2 > y2;
+    const TextureFootprint footprint = texture_footprint(p, vec2(width, height), t.levels - 1);
+    const int reads = t.levels > 1 ? static_cast<int>(ceil(largest_lane(footprint.ratio) - 0.01f)) : 1;
     // A lane that needs fewer reads than its neighbours has them closer together.
     const Real step = 1.0 / Real(reads);
-    const vec2 axis(select(along_x, p.dx.x, p.dy.x), select(along_x, p.dx.y, p.dy.y));
     alignas(64) float rgba[4 * max_lanes] = {};
     TextureReads where;
-    store(level, where.level);
+    store(footprint.level, where.level);
     for (int i = 0; i < reads; ++i) {
         const Real offset = (Real(i) + 0.5) * step - 0.5;
-        Real u = p.uv.x + offset * axis.x, v = p.uv.y + offset * axis.y;
+        Real u = p.uv.x + offset * footprint.axis.x, v = p.uv.y + offset * footprint.axis.y;
         if (t.sampler.magnify_nearest) {
-            u = select(longer2 < 1.0, snapped(u, t.width[0]), u);
-            v = select(longer2 < 1.0, snapped(v, t.height[0]), v);
+            u = select(footprint.longer2 < 1.0, snapped(u, width), u);
+            v = select(footprint.longer2 < 1.0, snapped(v, height), v);
         }
         store(wrapped(u, t.sampler.wrap_u), where.u);
         store(wrapped(v, t.sampler.wrap_v), where.v);

@@ -94,7 +94,7 @@ void fill_mips(const std::vector<Panorama>& mips, std::byte* memory, const std::
 
 EnvironmentOnDevice::EnvironmentOnDevice(const Device& device, const environment::Environment* environment,
                                          const std::vector<Panorama>* mips)
-    : clamped_(device, false), around_(device, true),
+    : clamped_(device, vulkan::Filter::clamped), around_(device, vulkan::Filter::around),
       chain_(device, cube_shape(environment ? &environment->chain : nullptr)),
       irradiance_(device, cube_shape(environment ? &environment->irradiance : nullptr)),
       mips_(device, mips_shape(mips))

@@ -1,14 +1,4 @@
-// The hooks of src/shading/README.md on a device: textures and buffers.
-
-layout(std430, set = 0, binding = binding_fragments) buffer Fragments { float values[]; };
-layout(std430, set = 0, binding = binding_picture) readonly buffer Picture { PictureRecord picture; };
-layout(std430, set = 0, binding = binding_lights) readonly buffer Lights { LightRecord lights[]; };
-layout(std430, set = 0, binding = binding_samples) readonly buffer Samples { SampleRecord samples[]; };
-layout(std430, set = 0, binding = binding_lamps) readonly buffer Lamps { LampRecord lamps[]; };
-layout(std430, set = 0, binding = binding_albedo) readonly buffer Albedo { vec2 albedos[]; };
-layout(set = 0, binding = binding_chain) uniform samplerCube chain;
-layout(set = 0, binding = binding_irradiance) uniform samplerCube irradiance_map;
-layout(set = 0, binding = binding_mips) uniform sampler2D mips;
+// The hooks of src/shading/README.md on a device. Included after bindings.glsl.
 
 struct Environment {
     int samples;

@@ -1,9 +1,7 @@
-#version 450
+#version 460
 #extension GL_GOOGLE_include_directive : require
 // One pass of light over fragments: which, and by which model, is compiled in.
-#include "gpu_layout/light.glsl"
-#include "equations/in_glsl.glsl"
-#include "equations/all.glsl"
+#include "draw/vulkan/bindings.glsl"
 #include "draw/vulkan/hooks.glsl"
 #include "shading/all.glsl"
 
@@ -11,26 +9,6 @@ layout(local_size_x = group_size) in;
 layout(constant_id = constant_pass) const int pass = pass_specular;
 layout(constant_id = constant_model) const int model = model_ggx;
 layout(constant_id = constant_levels) const int levels = levels_matched;
-
-float load(int column, uint at) { return values[uint(column * picture.fragments.x) + at]; }
-vec3 load3(int column, uint at) { return vec3(load(column, at), load(column + 1, at), load(column + 2, at)); }
-
-void store3(vec3 v, int column, uint at)
-{
-    uint first = uint(column * picture.fragments.x) + at;
-    uint step = uint(picture.fragments.x);
-    values[first] = v.x;
-    values[first + step] = v.y;
-    values[first + 2 * step] = v.z;
-}
-
-// A direction of the world, in the environment's own frame.
-vec3 turned(vec3 d)
-{
-    float c = picture.rotation.x;
-    float s = picture.rotation.y;
-    return vec3(c * d.x - s * d.z, d.y, s * d.x + c * d.z);
-}
 
 // The two parts of the directional albedo of GGX, between the table's points.
 vec2 albedo_of(float NV, float alpha)
@@ -65,24 +43,91 @@ Arrival arrival_at(LightRecord light, vec3 point)
     return arrival_from(local, point);
 }
 
-void add_direct(uint at)
+const int lights_at_once = 1024;
+shared vec3 group_points[group_size];
+shared vec3 group_low;
+shared vec3 group_high;
+shared uint reaching[lights_at_once / 32]; // a bit per light
+
+// The box around the points of a group; points that are not there repeat one that is.
+void find_box(vec3 point)
 {
+    uint me = gl_LocalInvocationID.x;
+    group_points[me] = point;
+    barrier();
+    if (me == 0u) {
+        group_low = point;
+        group_high = point;
+        for (int i = 1; i < group_size; ++i) {
+            group_low = min(group_low, group_points[i]);
+            group_high = max(group_high, group_points[i]);
+        }
+    }
+    barrier();
+}
+
+// Whether a light's range does not end before the box.
+bool reaches(LightRecord light)
+{
+    vec3 way = light.position_local.xyz - clamp(light.position_local.xyz, group_low, group_high);
+    return light.outer.y < 0.0 || dot(way, way) <= 1.0001 * light.outer.y;
+}
+
+// Marks those of the lights from `first` on that can matter to the group.
+void find_lights(int first)
+{
+    int me = int(gl_LocalInvocationID.x);
+    if (me < lights_at_once / 32)
+        reaching[me] = 0u;
+    barrier();
+    for (int i = me; i < lights_at_once && first + i < picture.fragments.z; i += group_size)
+        if (reaches(lights[first + i]))
+            atomicOr(reaching[i / 32], 1u << (i % 32));
+    barrier();
+}
+
+// A fragment as the direct pass sees it.
+struct Receiver {
+    vec3 N;
+    vec3 V;
+    vec3 point;
+    Metallic metallic;
+    Phong phong;
+    vec2 albedo;
+};
+
+Receiver receiver_at(uint at)
+{
+    Metallic m = metallic_at(at);
     vec3 N = load3(column_normal, at);
     vec3 V = load3(column_view, at);
-    vec3 point = load3(column_position, at);
+    vec2 albedo = albedo_of(dot(N, V), m.alpha);
+    m.alpha = alpha_in_pixel(m.alpha, load3(column_mirrored_dx, at), load3(column_mirrored_dy, at));
+    return Receiver(N, V, load3(column_position, at), m, phong_at(at), albedo);
+}
+
+vec3 light_from(Receiver r, LightRecord light)
+{
+    Arrival arrival = arrival_at(light, r.point);
+    return model == model_phong ? direct_phong(r.phong, r.N, r.V, arrival)
+                                : direct_metallic(r.metallic, r.albedo, r.N, r.V, arrival);
+}
+
+// For all of a group together: lights out of reach of all of them are passed over.
+void add_direct(uint at, bool lit)
+{
+    Receiver r = receiver_at(min(at, fragment_count() - 1u));
+    find_box(r.point);
     vec3 sum = vec3(0.0);
-    if (model == model_phong) {
-        Phong p = phong_at(at);
-        for (int i = 0; i < picture.fragments.z; ++i)
-            sum += direct_phong(p, N, V, arrival_at(lights[i], point));
-    } else {
-        Metallic m = metallic_at(at);
-        vec2 albedo = albedo_of(dot(N, V), m.alpha);
-        m.alpha = alpha_in_pixel(m.alpha, load3(column_mirrored_dx, at), load3(column_mirrored_dy, at));
-        for (int i = 0; i < picture.fragments.z; ++i)
-            sum += direct_metallic(m, albedo, N, V, arrival_at(lights[i], point));
+    for (int first = 0; first < picture.fragments.z; first += lights_at_once) {
+        find_lights(first);
+        for (int i = 0; i < lights_at_once / 32; ++i)
+            for (uint marked = reaching[i]; marked != 0u; marked &= marked - 1u)
+                sum += light_from(r, lights[first + 32 * i + findLSB(marked)]);
+        barrier();
     }
-    store3(sum, column_direct, at);
+    if (lit)
+        store3(sum, column_direct, at);
 }
 
 void add_ambient(uint at)
@@ -123,10 +168,11 @@ void add_specular(uint at)
 void main()
 {
     uint at = gl_GlobalInvocationID.x;
-    if (at >= uint(picture.fragments.y))
-        return;
+    bool lit = at < fragment_count() && load(column_lit, at) > 0.0;
     if (pass == pass_direct)
-        add_direct(at);
+        add_direct(at, lit);
+    else if (!lit)
+        return;
     else if (pass == pass_ambient)
         add_ambient(at);
     else

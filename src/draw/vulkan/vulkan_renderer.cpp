@@ -1,93 +1,94 @@
 #include "draw/vulkan/vulkan_renderer.h"
 
-#include "base/text.h"
-#include "draw/cpu/cpu_renderer.h"
-#include "draw/vulkan/light_stage.h"
+#include "draw/vulkan/picture_passes.h"
 
-#include <map>
-#include <mutex>
+#include <algorithm>
+#include <optional>
 
 namespace lambent::draw {
 namespace {
 
-// One queue, one batch of fragments at a time; the processor finds the next ones meanwhile.
-class DeviceLighter : public FragmentLighter {
+class OnDevice : public VulkanRenderer {
 public:
-    DeviceLighter(const vulkan::Device& device, const vulkan::PipelineCache& cache,
-                  const LightContext& context, std::span<const LightSource> lights)
-        : stage_(device, cache, context, lights)
-    {
-    }
-
-    void light(Fragments& fragments) override
-    {
-        const std::lock_guard lock(mutex_);
-        stage_.light(fragments);
-        for (const auto& [name, milliseconds] : stage_.laps()) {
-            if (!times_.contains(name))
-                order_.push_back(name);
-            times_[name] += milliseconds;
-        }
-    }
-
-    std::vector<std::pair<std::string, double>> passes() const override
-    {
-        std::vector<std::pair<std::string, double>> passes;
-        for (const std::string& name : order_)
-            passes.emplace_back(name, times_.at(name));
-        return passes;
-    }
-
-private:
-    std::mutex mutex_;
-    LightStage stage_;
-    std::vector<std::string> order_;
-    std::map<std::string, double> times_;
-};
-
-class Lit : public VulkanRenderer {
-public:
-    Lit(const scene::Scene& scene, const VulkanOptions& options)
-        : instance_(options.validation),
+    OnDevice(const scene::Scene& scene, const VulkanOptions& options)
+        : scene_(scene), bounds_(scene::bounds(scene)), instance_(options.validation),
           device_(instance_,
                   vulkan::choose(instance_.devices(),
                                  options.software ? vulkan::Choice::any : vulkan::Choice::hardware)),
           cache_(device_, options.cache_folder.empty() ? std::filesystem::path()
                                                        : options.cache_folder / "shaders.bin"),
-          renderer_(make_cpu_renderer(
-              scene, [this](const LightContext& context, std::span<const LightSource> lights) {
-                  return std::make_unique<DeviceLighter>(device_, cache_, context, lights);
-              }))
+          layout_(pass_layout(device_))
     {
     }
 
     Frame draw(const environment::Environment* environment, const Settings& settings,
                const std::function<void(float)>& progress) override
     {
-        Frame frame = renderer_->draw(environment, settings, progress);
+        Frame frame = blank_frame(settings);
+        const PreparedPicture picture(scene_.lights, environment, settings);
+        prepare(picture, static_cast<int>(frame.layers.size()));
+        PicturePasses passes({device_, *layout_, *prepared_, *tile_, *passes_}, picture, bounds_);
+        const TileShape& shape = tile_->shape();
+        for (int y = 0; y < settings.height; y += shape.height)
+            for (int x = 0; x < settings.width; x += shape.width) {
+                const int width = std::min(shape.width, settings.width - x),
+                          height = std::min(shape.height, settings.height - y);
+                passes.draw({x, y, width, height}, frame);
+                if (progress)
+                    progress(
+                        (static_cast<float>(y) + static_cast<float>(x + width) * static_cast<float>(height) /
+                                                     static_cast<float>(settings.width)) /
+                        static_cast<float>(settings.height));
+            }
+        frame.passes = passes.times();
         cache_.keep();
         return frame;
     }
 
-    Device device() const override
-    {
-        return {"vulkan", text(device_.name(), "; surfaces by ", renderer_->device().description)};
-    }
+    Device device() const override { return {"vulkan", device_.name()}; }
 
     std::vector<std::string> complaints() const override { return instance_.complaints(); }
 
 private:
+    // What is kept from picture to picture.
+    void prepare(const PreparedPicture& picture, int layers)
+    {
+        const Settings& settings = picture.settings;
+        if (!prepared_ || prepared_transfer_ != settings.texel_transfer) {
+            prepared_.reset();
+            prepared_.emplace(device_, scene_, settings.texel_transfer);
+            prepared_transfer_ = settings.texel_transfer;
+        }
+        const PassChoice choice = {static_cast<int>(look_places(picture.edges).size()), settings.model,
+                                   settings.mip_level, !scene_.images.empty(), prepared_->transparent()};
+        if (!passes_ || passes_->choice() != choice) {
+            passes_.reset();
+            passes_.emplace(cache_, *layout_, choice);
+        }
+        const TileShape shape = tile_shape(device_, settings, choice.looks, layers);
+        if (!tile_ || tile_->shape() != shape) {
+            tile_.reset();
+            tile_.emplace(device_, shape);
+        }
+    }
+
+    const scene::Scene& scene_;
+    scene::Bounds bounds_;
     vulkan::Instance instance_;
     vulkan::Device device_;
     vulkan::PipelineCache cache_;
-    std::unique_ptr<Renderer> renderer_;
+    std::unique_ptr<vulkan::ShaderLayout> layout_;
+    std::optional<SceneOnDevice> prepared_;
+    TexelTransfer prepared_transfer_ = TexelTransfer::srgb;
+    std::optional<Passes> passes_;
+    std::optional<TileOnDevice> tile_;
 };
 
 } // namespace
 
 std::unique_ptr<VulkanRenderer> make_vulkan_renderer(const scene::Scene& scene, const VulkanOptions& options)
 {
-    return std::make_unique<Lit>(scene, options);
+    return std::make_unique<OnDevice>(scene, options);
 }
 
 } // namespace lambent::draw

@@ -1,4 +1,4 @@
-// The backend that lights surfaces on a Vulkan device. What is seen is found by the processor, as in the CPU backend.
+// The backend that draws on a Vulkan device: triangles by its rasteriser, everything else by compute shaders.
 #pragma once
 
 #include "draw/renderer.h"

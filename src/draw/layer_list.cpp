@@ -1,4 +1,4 @@
-#include "draw/cpu/layer_list.h"
+#include "draw/layer_list.h"
 
 namespace lambent::draw {
 

@@ -1,0 +1,122 @@
+#include "draw/prepared_picture.h"
+
+#include "draw/layer_list.h"
+#include "equations/in_double.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lambent::draw {
+namespace {
+
+image::RadianceImage blank(int width, int height)
+{
+    image::RadianceImage image{width, height, 4, {}};
+    image.values.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4, 0.0f);
+    return image;
+}
+
+// N places in the unit square with different rows and columns each. [Hammersley 1960]
+std::vector<glm::vec2> subpixel_places(int count)
+{
+    std::vector<glm::vec2> places;
+    places.reserve(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i)
+        places.emplace_back((static_cast<float>(i) + 0.5f) / static_cast<float>(count),
+                            std::fmod(radical_inverse(static_cast<unsigned>(i)) + 0.5 / count, 1.0));
+    return places;
+}
+
+// Surfaces that bend by 30 degrees between pixels are edges; looks share a shading point within 15 degrees. Who asks for
+// many samples wants exact pictures: a mirrored picture that bends inside a pixel is then lit place by place.
+Edges edges_of(const Settings& settings)
+{
+    constexpr int many_samples = 256, places_of_many = 16;
+    if (settings.samples < many_samples)
+        return {subpixel_places(settings.edge_samples), 0.866f, 0.966f, 1.0f};
+    const int count = settings.edge_samples > 1 ? std::max(settings.edge_samples, places_of_many) : 1;
+    return {subpixel_places(count), 0.995f, 2.0f, 1.0f / std::sqrt(static_cast<float>(count))};
+}
+
+double level_of_background(const environment::Environment& environment, const Settings& settings,
+                        const RayMap& rays)
+{
+    const double level_one = environment::level_one_deviation(environment.chain);
+    // A pixel of a wide view of a large panorama covers many texels.
+    const double pixel = glm::length(rays.direction_dx);
+    const double texel = 6.283185307179586 / environment.panorama.width;
+    const bool blurred = settings.background.kind == Background::Kind::blurred;
+    if (!blurred && pixel < 2.0 * texel)
+        return -1.0;
+    // A Gaussian of the lobe's width: for a view along the normal GGX's mirrored lobe has about 2 alpha.
+    const double deviation = blurred ? std::pow(settings.background.roughness, 2) : 0.0;
+    return in_double::level_of_variance((deviation * deviation + pixel * pixel / 12.0) /
+                                        (level_one * level_one));
+}
+
+LightSource light_source(const scene::Light& light)
+{
+    LightSource source;
+    source.local = light.kind != scene::LightKind::directional;
+    source.position = light.position;
+    source.intensity = light.intensity;
+    source.axis = light.direction;
+    source.range = light.range;
+    if (light.kind == scene::LightKind::spot) {
+        source.cos_inner = std::cos(light.inner_cone);
+        source.cos_outer = std::cos(light.outer_cone);
+    }
+    return source;
+}
+
+} // namespace
+
+PreparedPicture::PreparedPicture(std::span<const scene::Light> scene_lights,
+                                 const environment::Environment* environment, const Settings& given)
+    : settings(given), rays(ray_map(given.camera, given.width, given.height)), edges(edges_of(given)),
+      tables(make_sample_tables(given.samples, given.mip_level == MipLevel::report ? LobePoints::hammersley
+                                                                                   : LobePoints::spiral)),
+      lights(light_sources(scene_lights, given.lights))
+{
+    if (environment && settings.model == Model::phong && settings.mip_level == MipLevel::report)
+        mips = environment::mip_chain(environment->panorama);
+    light.model = settings.model;
+    light.mip_level = settings.mip_level;
+    light.energy_compensation = settings.energy_compensation;
+    light.ambient_brightness = settings.ambient_brightness;
+    light.environment = environment;
+    light.mip_chain = &mips;
+    light.across = settings.camera.right;
+    light.rotation_cosine = std::cos(settings.environment_rotation);
+    light.rotation_sine = std::sin(settings.environment_rotation);
+    light.tables = &tables;
+    if (environment)
+        background_level = static_cast<float>(level_of_background(*environment, settings, rays));
+}
+
+std::vector<LightSource> light_sources(std::span<const scene::Light> lights,
+                                       std::span<const scene::Light> more)
+{
+    std::vector<LightSource> sources;
+    for (const scene::Light& light : lights)
+        sources.push_back(light_source(light));
+    for (const scene::Light& light : more)
+        sources.push_back(light_source(light));
+    return sources;
+}
+
+Frame blank_frame(const Settings& settings)
+{
+    Frame frame;
+    frame.radiance = blank(settings.width, settings.height);
+    if (!settings.layers)
+        return frame;
+    for (const LayerSource& source : layer_sources(settings.model))
+        frame.layers.push_back({source.name, source.kind, blank(settings.width, settings.height)});
+    frame.layers.push_back({background_layer, Layer::Kind::light, blank(settings.width, settings.height)});
+    return frame;
+}
+
+} // namespace lambent::draw

@@ -1,0 +1,109 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Turns the looks of the listed pixels into fragments, one per surface and pixel, lit where the look nearest to the middle
+// of all its looks meets it. First those of edges, later those that go on behind what is transparent.
+#include "draw/vulkan/bindings.glsl"
+#include "draw/vulkan/geometry.glsl"
+
+layout(local_size_x = group_size_of_looks) in;
+layout(constant_id = constant_looks) const int looks = 1;
+layout(constant_id = constant_wave) const int wave = 0;
+
+// Of each look.
+uvec2 id[looks];
+vec3 front[looks];
+bool faces[looks]; // its front
+float weight[looks];
+int owner[looks]; // the first look at the same surface; -1: none
+// Of each surface, at its first look.
+float sum[looks];
+vec2 mean[looks];
+int best[looks];
+
+// The share of the pixel that a look stands for; below 0: it is not drawn.
+float share_of(int look, uint pixel)
+{
+    if (wave == 0)
+        return look == looks - 1 ? 0.0 : 1.0 / float(looks - 1);
+    float left = behind[pixel * uint(looks) + uint(look)].y;
+    return left > 0.0 ? left : -1.0;
+}
+
+float extent_of(int look, uint pixel)
+{
+    return wave == 0 ? picture.edges.z : behind[pixel * uint(looks) + uint(look)].z;
+}
+
+// Looks again at everything before: rarely more than five.
+int first_alike(int look)
+{
+    for (int before = 0; before < look; ++before)
+        if (owner[before] == before && id[before].x == id[look].x && faces[before] == faces[look] &&
+            dot(front[before], front[look]) > picture.edges.y)
+            return before;
+    return weight[look] > 0.0 ? look : -1;
+}
+
+void see(int look, ivec2 pixel)
+{
+    Triangle triangle = triangle_of(id[look]);
+    front[look] = front_of(triangle, id[look].x);
+    faces[look] = dot(front[look], sight_through(vec2(pixel) + places[look]).direction) < 0.0;
+    int at = first_alike(look);
+    owner[look] = at;
+    if (at < 0)
+        return;
+    if (at == look) {
+        sum[at] = 0.0;
+        mean[at] = vec2(0.0);
+        best[at] = look;
+    }
+    sum[at] += weight[look];
+    mean[at] += weight[look] * places[look];
+}
+
+// Returns how many surfaces there are; the share that shows none is added to the background's.
+uint look_at_pixel(uint index, ivec2 pixel, inout float background)
+{
+    uint surfaces = 0u;
+    for (int look = 0; look < looks; ++look) {
+        owner[look] = -1;
+        weight[look] = share_of(look, index);
+        if (weight[look] < 0.0)
+            continue;
+        id[look] = texelFetch(ids, ivec3(pixel - picture.apron.xy, look), 0).xy;
+        if (id[look].x == nothing)
+            background += weight[look];
+        else
+            see(look, pixel);
+        surfaces += owner[look] == look ? 1u : 0u;
+    }
+    for (int look = 0; look < looks; ++look) {
+        int to = owner[look];
+        if (to >= 0 && distance(places[look], mean[to] / sum[to]) < distance(places[best[to]], mean[to] / sum[to]))
+            best[to] = look;
+    }
+    return surfaces;
+}
+
+void main()
+{
+    if (gl_GlobalInvocationID.x >= counters[counter_listed])
+        return;
+    uint index = listed[gl_GlobalInvocationID.x];
+    uint width = uint(picture.tile.z);
+    ivec2 pixel = picture.tile.xy + ivec2(index % width, index / width);
+    float background = wave == 0 ? 0.0 : uintBitsToFloat(spans[index].z);
+    uint surfaces = look_at_pixel(index, pixel, background);
+    uint first = surfaces > 0u ? add_fragments(surfaces) : 0u;
+    bool fits = first + surfaces <= uint(picture.fragments.x);
+    spans[index] = uvec4(first, fits ? surfaces : 0u, floatBitsToUint(background), 0u);
+    for (int look = 0; fits && look < looks; ++look) {
+        if (owner[look] != look)
+            continue;
+        int lit = best[look];
+        records[first].ids = uvec4(id[lit], index, uint(lit));
+        records[first].place = vec4(vec2(pixel) + places[lit], sum[look], extent_of(lit, index));
+        ++first;
+    }
+}

@@ -1,0 +1,93 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+// Puts the light of a pixel's surfaces together, and sets out what goes on behind those that are transparent.
+#include "draw/vulkan/bindings.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(constant_id = constant_looks) const int looks = 1;
+layout(constant_id = constant_wave) const int wave = 0;
+layout(constant_id = constant_through) const int through = 1;
+
+const float least_weight = 1.0 / 1024.0; // as draw/prepared_picture.h says
+
+// The share of a surface that is seen, 0 to 1.
+float shown(uint instance, float alpha)
+{
+    uint material = instances[instance].ids.y;
+    int mode = materials[material].kind.x;
+    if (mode == alpha_mask)
+        return alpha >= materials[material].numbers.w ? 1.0 : 0.0;
+    return mode == alpha_blend ? clamp(alpha, 0.0, 1.0) : 1.0;
+}
+
+vec3 picture_light(uint at)
+{
+    return load3(column_emitted, at) + load3(column_direct, at) + load3(column_ambient, at) + load3(column_reflected, at);
+}
+
+vec3 layer_value(int layer, uint at)
+{
+    int source = picture.layers[layer / 4][layer % 4];
+    return (source & 1) == 1 ? load3(source >> 1, at) : vec3(load(source >> 1, at));
+}
+
+void go_on_behind(FragmentRecord record, uint at, float left)
+{
+    float unit = length(picture.direction.xyz + record.place.x * picture.direction_dx.xyz +
+                        record.place.y * picture.direction_dy.xyz);
+    uint look = record.ids.z * uint(looks) + record.ids.w;
+    behind[look] = vec4(load(column_depth, at) / unit, left, record.place.w, 0.0);
+}
+
+// What goes on behind the surfaces from span.x on.
+void look_behind(uint pixel, uvec4 span)
+{
+    bool goes_on = false;
+    for (int look = 0; look < looks; ++look)
+        behind[pixel * uint(looks) + uint(look)] = vec4(0.0);
+    for (uint at = span.x; at < span.x + span.y; ++at) {
+        FragmentRecord record = records[at];
+        float left = record.place.z * (1.0 - shown(record.ids.x, load(column_opacity, at)));
+        if (left >= least_weight) {
+            go_on_behind(record, at, left);
+            goes_on = true;
+        }
+    }
+    spans[pixel].y = 0u; // seen; the next wave may find more
+    if (goes_on)
+        listed[add_listed(1u)] = pixel;
+}
+
+// The sum of a pixel's surfaces in the picture, layer -1, or in a layer.
+vec4 drawn_light(int layer, uvec4 span)
+{
+    vec4 sum = vec4(0.0);
+    for (uint at = span.x; at < span.x + span.y; ++at) {
+        FragmentRecord record = records[at];
+        float weight = record.place.z;
+        if (through == 1)
+            weight *= shown(record.ids.x, load(column_opacity, at));
+        if (weight > 0.0)
+            sum += weight * vec4(layer < 0 ? picture_light(at) : layer_value(layer, at), 1.0);
+    }
+    return sum;
+}
+
+void main()
+{
+    ivec2 place = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(place, picture.tile.zw)))
+        return;
+    int pixel = place.y * picture.tile.z + place.x;
+    int pixels = picture.tile.z * picture.tile.w;
+    uvec4 span = spans[pixel];
+    for (int layer = -1; layer < picture.samples.z; ++layer) {
+        bool empty = layer >= 0 && picture.layers[layer / 4][layer % 4] < 0;
+        vec4 sum = empty ? vec4(0.0) : drawn_light(layer, span);
+        if (wave > 0)
+            sum += drawn[(layer + 1) * pixels + pixel];
+        drawn[(layer + 1) * pixels + pixel] = sum;
+    }
+    if (through == 1)
+        look_behind(uint(pixel), span);
+}

@@ -1,0 +1,233 @@
+#include "draw/vulkan/scene_on_device.h"
+
+#include "base/error.h"
+#include "draw/vulkan/filled_buffer.h"
+#include "gpu_layout/layout.h"
+
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+
+namespace lambent::draw {
+namespace {
+
+using namespace gpu_layout;
+using Bytes = std::span<const std::byte>;
+
+constexpr VkBufferUsageFlags by_address = VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
+
+// Arrays put one after the other, and where each begins.
+class Words {
+public:
+    template <class Record>
+    uint add(const std::vector<Record>& records)
+    {
+        if (records.empty())
+            return no_words;
+        const std::uint64_t place = size_;
+        parts_.push_back(std::as_bytes(std::span(records)));
+        size_ += parts_.back().size() / sizeof(uint);
+        if (size_ > std::numeric_limits<std::int32_t>::max())
+            throw Error(Failure::no_device, "the scene's triangles are too many for the device");
+        return static_cast<uint>(place);
+    }
+    std::span<const Bytes> parts() const { return parts_; }
+
+private:
+    std::uint64_t size_ = 0;
+    std::vector<Bytes> parts_;
+};
+
+const scene::Material& material_of(const scene::Scene& scene, const scene::Instance& instance)
+{
+    const int own = scene.meshes[static_cast<std::size_t>(instance.mesh)].material;
+    return scene.materials[static_cast<std::size_t>(instance.material >= 0 ? instance.material : own)];
+}
+
+bool mirrors(const scene::Instance& instance)
+{
+    return glm::determinant(glm::mat3(instance.transform)) < 0.0f;
+}
+
+// Row i of a matrix that glm keeps by columns.
+vec4 row(const glm::mat4& m, int i)
+{
+    return {m[0][i], m[1][i], m[2][i], m[3][i]};
+}
+
+UseRecord use_record(const scene::TextureUse& use, int texture)
+{
+    const glm::mat3& m = use.transform;
+    return {{m[0][0], m[1][0], m[2][0], 0.0f}, {m[0][1], m[1][1], m[2][1], 0.0f}, {texture, use.texcoord, 0, 0}};
+}
+
+vec4 given(const std::optional<glm::vec3>& color)
+{
+    return color ? vec4(*color, 1.0f) : vec4(0.0f);
+}
+
+int alpha_of(scene::AlphaMode mode)
+{
+    if (mode == scene::AlphaMode::mask)
+        return alpha_mask;
+    return mode == scene::AlphaMode::blend ? alpha_blend : alpha_opaque;
+}
+
+int wrap_of(scene::Wrap wrap)
+{
+    if (wrap == scene::Wrap::repeat)
+        return wrap_repeat;
+    return wrap == scene::Wrap::clamp_to_edge ? wrap_clamp : wrap_mirrored;
+}
+
+constexpr std::array code_tables = {TexelTransfer::none, TexelTransfer::srgb, TexelTransfer::power_2_2};
+
+TextureRecord texture_record(const PackedTexture& texture, VkDeviceAddress address)
+{
+    static_assert(most_texture_levels == PackedTexture::most_levels);
+    TextureRecord record{};
+    const auto table = std::find(code_tables.begin(), code_tables.end(), texture.transfer) - code_tables.begin();
+    record.place = {static_cast<uint>(address), static_cast<uint>(address >> 32), texture.half_floats ? 1u : 0u,
+                    static_cast<uint>(table)};
+    record.reading = {wrap_of(texture.sampler.wrap_u), wrap_of(texture.sampler.wrap_v),
+                      texture.sampler.magnify_nearest ? 1 : 0, texture.levels};
+    for (int level = 0; level < texture.levels; ++level)
+        record.levels[level] = {texture.width[level], texture.height[level], texture.start[level], 0};
+    return record;
+}
+
+} // namespace
+
+SceneOnDevice::SceneOnDevice(const vulkan::Device& device, const scene::Scene& scene, TexelTransfer transfer)
+{
+    const SceneTextures textures(scene, transfer);
+    place_geometry(device, scene);
+    place_instances(device, scene);
+    place_materials(device, scene, textures);
+    place_textures(device, textures);
+    plan_draws(device, scene);
+}
+
+// Positions once more by themselves: the vertices of the raster passes.
+void SceneOnDevice::place_geometry(const vulkan::Device& device, const scene::Scene& scene)
+{
+    Words words, positions, indices;
+    std::vector<MeshRecord> records;
+    for (const scene::Mesh& mesh : scene.meshes) {
+        const uvec4 vectors(words.add(mesh.positions), words.add(mesh.normals), words.add(mesh.tangents),
+                            words.add(mesh.colors));
+        const uvec4 others(words.add(mesh.texcoords[0]), words.add(mesh.texcoords[1]), words.add(mesh.triangles),
+                           0);
+        records.push_back({vectors, others});
+        positions.add(mesh.positions);
+        indices.add(mesh.triangles);
+    }
+    geometry_.emplace(
+        filled_buffer(device, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | by_address, words.parts()));
+    positions_.emplace(filled_buffer(device, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, positions.parts()));
+    indices_.emplace(filled_buffer(device, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, indices.parts()));
+    meshes_.emplace(filled_buffer(device, records));
+}
+
+void SceneOnDevice::place_instances(const vulkan::Device& device, const scene::Scene& scene)
+{
+    std::vector<InstanceRecord> records;
+    for (const scene::Instance& instance : scene.instances) {
+        const glm::mat4 normals(glm::transpose(glm::inverse(glm::mat3(instance.transform))));
+        const auto material = &material_of(scene, instance) - scene.materials.data();
+        InstanceRecord record{};
+        record.row_x = row(instance.transform, 0);
+        record.row_y = row(instance.transform, 1);
+        record.row_z = row(instance.transform, 2);
+        record.normal_x = row(normals, 0);
+        record.normal_y = row(normals, 1);
+        record.normal_z = row(normals, 2);
+        record.normal_z.w = mirrors(instance) ? -1.0f : 1.0f;
+        record.ids = {static_cast<uint>(instance.mesh), static_cast<uint>(material), 0, 0};
+        records.push_back(record);
+    }
+    instances_.emplace(filled_buffer(device, records));
+}
+
+void SceneOnDevice::place_materials(const vulkan::Device& device, const scene::Scene& scene,
+                                    const SceneTextures& textures)
+{
+    std::vector<MaterialRecord> records;
+    for (const scene::Material& m : scene.materials) {
+        const MaterialTextures own = textures.of(m);
+        MaterialRecord record{};
+        record.base_color = m.base_color;
+        record.emissive = vec4(m.emissive, m.normal_scale);
+        record.numbers = {m.metallic, m.perceptual_roughness, m.occlusion_strength, m.alpha_cutoff};
+        record.phong_diffuse = given(m.phong.diffuse);
+        record.phong_specular = given(m.phong.specular);
+        record.phong_exponent = {m.phong.exponent.value_or(0.0f), m.phong.exponent ? 1.0f : 0.0f, 0.0f, 0.0f};
+        record.kind = {alpha_of(m.alpha_mode), m.unlit ? 1 : 0, 0, 0};
+        record.uses[use_base_color] = use_record(m.base_color_texture, textures.index(own.base_color));
+        record.uses[use_metallic_roughness] =
+            use_record(m.metallic_roughness_texture, textures.index(own.metallic_roughness));
+        record.uses[use_normal] = use_record(m.normal_texture, textures.index(own.normal));
+        record.uses[use_occlusion] = use_record(m.occlusion_texture, textures.index(own.occlusion));
+        record.uses[use_emissive] = use_record(m.emissive_texture, textures.index(own.emissive));
+        records.push_back(record);
+    }
+    materials_.emplace(filled_buffer(device, records));
+}
+
+void SceneOnDevice::place_textures(const vulkan::Device& device, const SceneTextures& textures)
+{
+    std::vector<TextureRecord> records;
+    for (std::size_t i = 0; i < textures.size(); ++i) {
+        const Bytes texels = std::as_bytes(std::span(textures[i].bytes));
+        texels_.push_back(filled_buffer(device, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | by_address, {&texels, 1}));
+        records.push_back(texture_record(textures[i], texels_.back().address()));
+    }
+    textures_.emplace(filled_buffer(device, records));
+    std::vector<float> codes;
+    for (const TexelTransfer transfer : code_tables)
+        codes.insert(codes.end(), code_light(transfer), code_light(transfer) + 256);
+    codes_.emplace(filled_buffer(device, codes));
+}
+
+// One draw per instance, in batches of one way to cull each.
+void SceneOnDevice::plan_draws(const vulkan::Device& device, const scene::Scene& scene)
+{
+    std::vector<VkDrawIndexedIndirectCommand> of_mesh;
+    VkDrawIndexedIndirectCommand next{0, 1, 0, 0, 0};
+    for (const scene::Mesh& mesh : scene.meshes) {
+        next.indexCount = static_cast<uint>(3 * mesh.triangles.size());
+        of_mesh.push_back(next);
+        next.firstIndex += next.indexCount;
+        next.vertexOffset += static_cast<std::int32_t>(mesh.positions.size());
+    }
+    std::array<std::vector<VkDrawIndexedIndirectCommand>, 3> draws; // all sides; fronts; fronts of mirrored ones
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        const scene::Instance& instance = scene.instances[i];
+        const scene::Material& material = material_of(scene, instance);
+        VkDrawIndexedIndirectCommand draw = of_mesh[static_cast<std::size_t>(instance.mesh)];
+        draw.firstInstance = static_cast<uint>(i);
+        const std::size_t kind = mirrors(instance) ? 2 : 1;
+        if (draw.indexCount > 0)
+            draws[material.double_sided ? 0 : kind].push_back(draw);
+        transparent_ = transparent_ || material.alpha_mode != scene::AlphaMode::opaque;
+    }
+    std::vector<VkDrawIndexedIndirectCommand> all;
+    constexpr std::array sides = {VK_FRONT_FACE_COUNTER_CLOCKWISE, VK_FRONT_FACE_COUNTER_CLOCKWISE,
+                                  VK_FRONT_FACE_CLOCKWISE};
+    for (std::size_t kind = 0; kind < draws.size(); ++kind) {
+        if (!draws[kind].empty())
+            batches_.push_back({nullptr, static_cast<uint>(all.size()), static_cast<uint>(draws[kind].size()),
+                                static_cast<VkCullModeFlags>(kind == 0 ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT),
+                                sides[kind]});
+        all.insert(all.end(), draws[kind].begin(), draws[kind].end());
+    }
+    const Bytes bytes = std::as_bytes(std::span(all));
+    draws_.emplace(filled_buffer(device, VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT, {&bytes, 1}));
+    for (vulkan::DrawBatch& batch : batches_)
+        batch.draws = &*draws_;
+}
+
+} // namespace lambent::draw

@@ -1,0 +1,47 @@
+// A scene where a device can draw it.
+#pragma once
+
+#include "draw/cpu/scene_textures.h"
+#include "vulkan/commands.h"
+
+#include <optional>
+#include <vector>
+
+namespace lambent::draw {
+
+/// Triangles, materials and textures, and the draws that show them all. Throws Error(no_device).
+class SceneOnDevice {
+public:
+    /// The device must outlive it; the scene need not. `transfer`: of colours.
+    SceneOnDevice(const vulkan::Device& device, const scene::Scene& scene, TexelTransfer transfer);
+
+    const vulkan::Buffer& geometry() const { return *geometry_; } ///< words, read by address
+    const vulkan::Buffer& positions() const { return *positions_; }
+    const vulkan::Buffer& indices() const { return *indices_; }
+    const vulkan::Buffer& instances() const { return *instances_; }
+    const vulkan::Buffer& meshes() const { return *meshes_; }
+    const vulkan::Buffer& materials() const { return *materials_; }
+    const vulkan::Buffer& textures() const { return *textures_; }
+    const vulkan::Buffer& codes() const { return *codes_; }
+
+    /// What is drawn with backs and what without.
+    const std::vector<vulkan::DrawBatch>& batches() const { return batches_; }
+
+    /// Whether something is behind other things and seen.
+    bool transparent() const { return transparent_; }
+
+private:
+    void place_geometry(const vulkan::Device& device, const scene::Scene& scene);
+    void place_instances(const vulkan::Device& device, const scene::Scene& scene);
+    void place_materials(const vulkan::Device& device, const scene::Scene& scene, const SceneTextures& textures);
+    void place_textures(const vulkan::Device& device, const SceneTextures& textures);
+    void plan_draws(const vulkan::Device& device, const scene::Scene& scene);
+
+    std::optional<vulkan::Buffer> geometry_, positions_, indices_, instances_, meshes_, materials_, textures_,
+        codes_, draws_;
+    std::vector<vulkan::Buffer> texels_;
+    std::vector<vulkan::DrawBatch> batches_;
+    bool transparent_ = false;
+};
+
+} // namespace lambent::draw

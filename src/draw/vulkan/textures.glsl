@@ -1,0 +1,54 @@
+// Reading packed textures. Included after geometry.glsl.
+
+// A texel of 8-bit codes or of half floats, linear.
+vec4 texel_of(TextureRecord t, uint texel)
+{
+    Words words = Words(t.place.xy);
+    if (t.place.z == 1u)
+        return vec4(unpackHalf2x16(words.words[2u * texel]), unpackHalf2x16(words.words[2u * texel + 1u]));
+    uint codes = words.words[texel];
+    uint table = 256u * t.place.w;
+    return vec4(code_light[table + (codes & 255u)], code_light[table + ((codes >> 8) & 255u)],
+                code_light[table + ((codes >> 16) & 255u)], float(codes >> 24) / 255.0);
+}
+
+// Every level has a border of one texel: any two texels lie side by side.
+vec4 level_at(TextureRecord t, vec2 uv, int level)
+{
+    ivec4 shape = t.levels[level];
+    vec2 place = uv * vec2(shape.xy) + 0.5;
+    ivec2 at = min(ivec2(place), shape.xy);
+    vec2 share = place - vec2(at);
+    uint pitch = uint(shape.x) + 2u;
+    uint texel = uint(shape.z) + uint(at.y) * pitch + uint(at.x);
+    return mix(mix(texel_of(t, texel), texel_of(t, texel + 1u), share.x),
+               mix(texel_of(t, texel + pitch), texel_of(t, texel + pitch + 1u), share.x), share.y);
+}
+
+float wrapped(float x, int wrap)
+{
+    if (wrap == wrap_repeat)
+        return repeated(x);
+    return wrap == wrap_clamp ? clamp(x, 0.0, 1.0) : repeated_mirrored(x);
+}
+
+vec4 read_texture(int index, TexturePoint p)
+{
+    TextureRecord t = textures[index];
+    vec2 size = vec2(t.levels[0].xy);
+    TextureFootprint f = texture_footprint(p, size, float(t.reading.w - 1));
+    int reads = t.reading.w > 1 ? int(ceil(f.ratio - 0.01)) : 1;
+    int fine = int(f.level);
+    float coarser = f.level - float(fine);
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < reads; ++i) {
+        vec2 uv = p.uv + ((float(i) + 0.5) / float(reads) - 0.5) * f.axis;
+        if (t.reading.z == 1 && f.longer2 < 1.0)
+            uv = vec2(snapped(uv.x, size.x), snapped(uv.y, size.y));
+        uv = vec2(wrapped(uv.x, t.reading.x), wrapped(uv.y, t.reading.y));
+        sum += (1.0 - coarser) * level_at(t, uv, fine);
+        if (coarser > 0.0)
+            sum += coarser * level_at(t, uv, fine + 1);
+    }
+    return sum / float(reads);
+}

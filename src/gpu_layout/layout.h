@@ -1,0 +1,29 @@
+// The texts of this folder in C++.
+#pragma once
+
+#include <glm/vec4.hpp>
+
+#include <cstddef>
+#include <cstdint>
+
+namespace lambent::gpu_layout {
+
+using glm::ivec4, glm::uvec4, glm::vec4;
+using uint = std::uint32_t;
+
+#include "gpu_layout/light.glsl"
+#include "gpu_layout/scene.glsl"
+#include "gpu_layout/tile.glsl"
+
+// std430: vectors of four at multiples of 16 bytes, without gaps.
+static_assert(sizeof(LightRecord) == 64 && offsetof(LightRecord, outer) == 48);
+static_assert(sizeof(SampleRecord) == 32 && offsetof(SampleRecord, lobe) == 16);
+static_assert(sizeof(LampRecord) == 32 && offsetof(LampRecord, light) == 16);
+static_assert(sizeof(InstanceRecord) == 112 && offsetof(InstanceRecord, ids) == 96);
+static_assert(sizeof(MeshRecord) == 32 && sizeof(UseRecord) == 48);
+static_assert(sizeof(MaterialRecord) == 352 && offsetof(MaterialRecord, uses) == 112);
+static_assert(sizeof(TextureRecord) == 288 && offsetof(TextureRecord, levels) == 32);
+static_assert(sizeof(PictureRecord) == 384 && offsetof(PictureRecord, layers) == 320);
+static_assert(sizeof(FragmentRecord) == 32 && sizeof(RasterConstants) == 80);
+
+} // namespace lambent::gpu_layout

@@ -1,0 +1,58 @@
+// A scene as shaders read it. Words are 32 bits; places in the geometry buffer count words.
+
+const uint no_words = 0xffffffffu; // an attribute that a mesh does not have
+
+struct InstanceRecord {
+    vec4 row_x; // world from mesh
+    vec4 row_y;
+    vec4 row_z;
+    vec4 normal_x; // world from mesh for normals, rows
+    vec4 normal_y;
+    vec4 normal_z; // w: -1 where the transform mirrors, else 1
+    uvec4 ids;     // mesh, material
+};
+
+struct MeshRecord {
+    uvec4 vectors; // positions, normals: 3 words a vertex; tangents, colours: 4
+    uvec4 others;  // two sets of texture coordinates: 2 words a vertex; triangles: 3 each
+};
+
+// One use of a texture.
+struct UseRecord {
+    vec4 row_u; // applied to (u, v, 1)
+    vec4 row_v;
+    ivec4 ids; // texture, -1: none; set of coordinates
+};
+
+const int use_base_color = 0;
+const int use_metallic_roughness = 1;
+const int use_normal = 2;
+const int use_occlusion = 3;
+const int use_emissive = 4;
+
+const int alpha_opaque = 0;
+const int alpha_mask = 1;
+const int alpha_blend = 2;
+
+struct MaterialRecord {
+    vec4 base_color;
+    vec4 emissive;       // rgb; w: scale of the normal map
+    vec4 numbers;        // metalness, perceptual roughness, strength of occlusion, alpha cutoff
+    vec4 phong_diffuse;  // w: 1 where given
+    vec4 phong_specular; // w: 1 where given
+    vec4 phong_exponent; // x; y: 1 where given
+    ivec4 kind;          // alpha mode; 1 if unlit
+    UseRecord uses[5];
+};
+
+const int wrap_repeat = 0;
+const int wrap_mirrored = 1;
+const int wrap_clamp = 2;
+const int most_texture_levels = 16;
+
+// Texels as PackedTexture has them: 8-bit codes in one word, half floats in two.
+struct TextureRecord {
+    uvec4 place;  // address, low and high word; 1 for half floats; table of codes
+    ivec4 reading; // wrap of u, of v; 1 to magnify without filtering; levels
+    ivec4 levels[16]; // width, height, first texel
+};

@@ -1,0 +1,181 @@
+// From the triangle that a ray of sight meets to what the passes need of its surface. Needs no hooks.
+
+// A ray of sight through a place in the picture, and how it changes to the next pixel right and below. The direction
+// need not have unit length.
+struct SightRay {
+    vec3 origin;
+    vec3 origin_dx;
+    vec3 origin_dy;
+    vec3 direction;
+    vec3 direction_dx;
+    vec3 direction_dy;
+};
+
+// A triangle by a corner and the edges to the other two, in the world.
+struct Triangle {
+    vec3 corner;
+    vec3 edge1;
+    vec3 edge2;
+};
+
+// Where a ray meets a triangle's plane: distance in multiples of the ray's direction, weights of corners 1 and 2.
+struct Meeting {
+    Real distance;
+    Real u;
+    Real v;
+};
+
+// Defined unless the ray lies in the plane; the weights are brought into the triangle, which a pixel's middle that is
+// drawn may miss by a rounding. [Moller and Trumbore 1997] Witness: a point put together of the corners is found again.
+Meeting meeting_with(SightRay s, Triangle t)
+{
+    vec3 way = s.origin - t.corner;
+    vec3 p = cross(s.direction, t.edge2);
+    vec3 q = cross(way, t.edge1);
+    Real determinant = dot(t.edge1, p);
+    Real inverse = 1.0 / select(abs(determinant) < 1.0e-37, 1.0e-37, determinant);
+    Real u = clamp(inverse * dot(way, p), 0.0, 1.0);
+    Real v = clamp(inverse * dot(s.direction, q), 0.0, 1.0);
+    Real over = 1.0 / max(u + v, 1.0);
+    Meeting m = {inverse * dot(t.edge2, q), over * u, over * v};
+    return m;
+}
+
+// Weights of the three corners, and how those of corners 1 and 2 change to the next pixel right and below.
+struct Barycentric {
+    Real a;
+    Real b;
+    Real c;
+    Real b_dx;
+    Real c_dx;
+    Real b_dy;
+    Real c_dy;
+};
+
+// A triangle and the point of it that is seen. normal: of its counter-clockwise side, not of unit length.
+struct Facet {
+    vec3 position;
+    vec3 normal;
+    Real distance;
+    Barycentric at;
+};
+
+// How far the seen point moves on the plane of that normal when the ray moves by the two steps.
+// [Igehy 1999, "Tracing ray differentials"] Witness: the difference of two meetings with the plane.
+vec3 moved_on_plane(vec3 direction, vec3 normal, Real distance, vec3 origin_step, vec3 direction_step)
+{
+    vec3 moved = origin_step + distance * direction_step;
+    Real towards = dot(direction, normal);
+    Real safe = select(abs(towards) < 1.0e-30, 1.0e-30, towards);
+    return moved - (dot(moved, normal) / safe) * direction;
+}
+
+// Witness: the largest of three numbers without their signs.
+Real largest_part(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
+
+// A rate of change, or 0 where it overflowed: what is looked up by it has to be a number. Witness: both sides of 1e15.
+Real believed(Real rate) { return select(abs(rate) < 1.0e15, rate, 0.0); }
+
+// Witness: the weights of the points that the rays of neighbouring pixels meet.
+Facet facet_at(SightRay s, Triangle t, Meeting m)
+{
+    // In units of the triangle's size: the fourth powers of the edges that follow leave the range of floats early.
+    Real longest = clamp(max(largest_part(t.edge1), largest_part(t.edge2)), 1.0e-30, 1.0e30);
+    Real unit = 1.0 / longest;
+    vec3 e1 = unit * t.edge1;
+    vec3 e2 = unit * t.edge2;
+    vec3 normal = cross(e1, e2);
+    Real scale = unit / max(dot(normal, normal), 1.0e-36);
+    vec3 dx = moved_on_plane(s.direction, normal, m.distance, s.origin_dx, s.direction_dx);
+    vec3 dy = moved_on_plane(s.direction, normal, m.distance, s.origin_dy, s.direction_dy);
+    vec3 across_b = scale * cross(e2, normal);
+    vec3 across_c = scale * cross(normal, e1);
+    Barycentric at = {1.0 - m.u - m.v,
+                      m.u,
+                      m.v,
+                      believed(dot(dx, across_b)),
+                      believed(dot(dx, across_c)),
+                      believed(dot(dy, across_b)),
+                      believed(dot(dy, across_c))};
+    Facet f = {t.corner + m.u * t.edge1 + m.v * t.edge2, normal, m.distance, at};
+    return f;
+}
+
+// A shading normal and how it turns to the next pixel right and below.
+struct Turning {
+    vec3 normal;
+    vec3 dx;
+    vec3 dy;
+};
+
+// From an interpolated normal of any length and its changes. Witness: the difference of two normalised vectors.
+Turning turning_of(vec3 sum, vec3 sum_dx, vec3 sum_dy)
+{
+    Real inverse = inversesqrt(max(dot(sum, sum), 1.0e-30));
+    vec3 normal = inverse * sum;
+    vec3 dx = inverse * sum_dx;
+    vec3 dy = inverse * sum_dy;
+    Turning t = {normal, dx - dot(normal, dx) * normal, dy - dot(normal, dy) * normal};
+    return t;
+}
+
+// The normal that a normal map asks for: code in [0, 1] from the map, `along` the interpolated tangent of any length,
+// which is given its unit length or the bumps would grow and shrink with the mesh; side: 1, or -1 for a mirrored
+// bitangent. [glTF 2.0, 3.9.3] Witness: codes along each axis of the frame.
+vec3 mapped_normal(vec3 normal, vec3 along, Real side, vec3 code, Real scale)
+{
+    vec3 tangent = inversesqrt(max(dot(along, along), 1.0e-30)) * along;
+    vec3 bitangent = side * cross(normal, tangent);
+    vec3 mapped = ((2.0 * code.x - 1.0) * scale) * tangent + ((2.0 * code.y - 1.0) * scale) * bitangent +
+                  (2.0 * code.z - 1.0) * normal;
+    Real length2 = dot(mapped, mapped);
+    return select(length2 > 1.0e-12, inversesqrt(max(length2, 1.0e-12)) * mapped, normal);
+}
+
+// Change of the mirrored direction from that of view and normal, at most 1: a footprint of half the sky says that the
+// triangle is seen edge on; more than that says nothing. Witness: the difference of two mirrored directions.
+vec3 mirrored_change(vec3 normal, vec3 view, vec3 normal_change, vec3 view_change)
+{
+    Real cosine_change = dot(normal_change, view) + dot(normal, view_change);
+    vec3 d = 2.0 * (cosine_change * normal + dot(normal, view) * normal_change) - view_change;
+    Real length2 = dot(d, d);
+    return select(length2 > 1.0, inversesqrt(max(length2, 1.0)) * d, d);
+}
+
+// A seen point as the passes of light want it.
+struct Surface {
+    Real depth; // metres from where the ray starts
+    vec3 view;  // towards the viewer
+    vec3 normal; // of shading, facing him
+    vec3 mirrored_dx; // change of the mirrored direction over a pixel
+    vec3 mirrored_dy;
+};
+
+// `mapped` is the normal with its map, `turning` without; handedness is -1 where the triangle was placed by a mirroring
+// transform, else 1. A normal that faces further away from the viewer than a cosine of 0.001 is bent towards him.
+// Witness: a sphere's position, normal and mirrored directions in closed form.
+Surface surface_at(SightRay s, Facet f, Turning turning, vec3 mapped, Real handedness)
+{
+    Real length2 = dot(s.direction, s.direction);
+    Real inverse = inversesqrt(max(length2, 1.0e-30));
+    vec3 view = -(inverse * s.direction);
+    Real side = select(handedness * dot(f.normal, view) < 0.0, -1.0, 1.0);
+    vec3 normal = facing_normal(side * mapped, view, 1.0e-3);
+    vec3 view_dx = -(inverse * (s.direction_dx - dot(s.direction_dx, view) * view));
+    vec3 view_dy = -(inverse * (s.direction_dy - dot(s.direction_dy, view) * view));
+    Surface surface = {f.distance * sqrt(length2), view, normal,
+                       mirrored_change(normal, view, side * turning.dx, view_dx),
+                       mirrored_change(normal, view, side * turning.dy, view_dy)};
+    return surface;
+}
+
+// alpha of a material; below 0.0001 a lobe is narrower than float arithmetic tells apart. Witness: squares.
+Real alpha_of_roughness(Real roughness) { return max(roughness * roughness, 1.0e-4); }
+
+// The report's parameters, as near as its model comes to metal and dielectric. Witness: both, by the table of
+// fresnel.glsl.
+Phong phong_from_metallic(vec3 base, Real metalness, Real roughness)
+{
+    Phong p = {(1.0 - metalness) * base, base_reflectance(base, metalness), phong_exponent(roughness * roughness)};
+    return p;
+}
