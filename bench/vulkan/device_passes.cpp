@@ -2,7 +2,9 @@
 #include "bench/side_by_side.h"
 #include "base/error.h"
 #include "draw/cpu/cpu_renderer.h"
+#include "draw/vulkan/device_prefilter.h"
 #include "draw/vulkan/vulkan_renderer.h"
+#include "environment/bake.h"
 #include "environment/builtin.h"
 #include "scene/builtin.h"
 
@@ -22,7 +24,8 @@ constexpr double mega = 1e6, giga = 1e9;
 
 environment::Environment kitchen()
 {
-    return environment::make_environment(environment::make_panorama(environment::make_builtin("kitchen", {})));
+    return environment::make_environment(
+        environment::make_panorama(environment::make_builtin("kitchen", {})));
 }
 
 draw::Settings settings_for(const scene::Scene& scene, int width, int height)
@@ -41,13 +44,13 @@ struct Traffic {
 };
 
 const std::map<std::string, Traffic> traffic = {
-    {"triangles", {5 * (8 + 4), 0}},         // five looks: instance and triangle, depth
-    {"edges", {8 + 32 + 16, 32}},            // the middle look, what it saw, spans; records
-    {"surfaces", {0, 32 + 42 * 4}},          // records, all columns
-    {"direct", {0, (22 + 3) * 4}},           // position, view, normal, footprint, material; light
-    {"ambient", {0, (3 + 3 + 5 + 6) * 4}},   // normal, view, material; irradiance and light
+    {"triangles", {5 * (8 + 4), 0}},       // five looks: instance and triangle, depth
+    {"edges", {8 + 32 + 16, 32}},          // the middle look, what it saw, spans; records
+    {"surfaces", {0, 32 + 42 * 4}},        // records, all columns
+    {"direct", {0, (22 + 3) * 4}},         // position, view, normal, footprint, material; light
+    {"ambient", {0, (3 + 3 + 5 + 6) * 4}}, // normal, view, material; irradiance and light
     {"specular", {0, (3 + 3 + 6 + 5 + 3) * 4}},
-    {"resolve", {16 + 16, 32 + 13 * 4}},     // spans, picture; records, four lights
+    {"resolve", {16 + 16, 32 + 13 * 4}}, // spans, picture; records, four lights
     {"background", {16 + 2 * 16 + 4 * 4, 0}},
     {"readback", {2 * 16, 0}}};
 
@@ -71,9 +74,10 @@ void print_passes(draw::Renderer& renderer, const environment::Environment& envi
         for (const auto& [name, milliseconds] : frame.passes)
             times[name].push_back(milliseconds);
     }
-    const double pixels = static_cast<double>(settings.width) * settings.height, surfaces = covered(frame.radiance);
-    std::printf("grid, %dx%d, %d samples, %.0f %% covered\n", settings.width, settings.height, settings.samples,
-                100.0 * surfaces / pixels);
+    const double pixels = static_cast<double>(settings.width) * settings.height,
+                 surfaces = covered(frame.radiance);
+    std::printf("grid, %dx%d, %d samples, %.0f %% covered\n", settings.width, settings.height,
+                settings.samples, 100.0 * surfaces / pixels);
     std::printf("%-12s %10s %10s %14s\n", "pass", "ms", "GB/s", "");
     double all = 0.0;
     for (const auto& pass : frame.passes) {
@@ -95,7 +99,9 @@ std::vector<scene::Light> lights_over(const scene::Bounds& box, int count)
     std::vector<scene::Light> lights;
     const glm::vec3 size = box.high - box.low;
     for (int i = 0; i < count; ++i) {
-        const auto fraction = [&](int step) { return static_cast<float>(i * step % count) / static_cast<float>(count); };
+        const auto fraction = [&](int step) {
+            return static_cast<float>(i * step % count) / static_cast<float>(count);
+        };
         scene::Light light;
         light.position = box.low + glm::vec3(fraction(7), fraction(13), fraction(31)) * size;
         light.range = 0.05f * glm::length(size);
@@ -110,8 +116,25 @@ void compare_lights(draw::Renderer& renderer, const scene::Scene& scene)
     draw::Settings few = settings_for(scene, 1280, 720), many = few;
     few.lights = lights_over(scene::bounds(scene), 10);
     many.lights = lights_over(scene::bounds(scene), 1000);
-    bench::side_by_side(renderer.device().backend + ", 1000 lights against 10", 7,
-                        [&] { renderer.draw(nullptr, many); }, [&] { renderer.draw(nullptr, few); });
+    bench::side_by_side(
+        renderer.device().backend + ", 1000 lights against 10", 7, [&] { renderer.draw(nullptr, many); },
+        [&] { renderer.draw(nullptr, few); });
+}
+
+// A cube of 256 texels: what the device takes for its levels, and the whole bake beside the processors'.
+void compare_bakes()
+{
+    draw::DevicePrefilter device({});
+    const environment::Panorama panorama =
+        environment::make_panorama(environment::make_builtin("kitchen", {}));
+    bench::side_by_side(
+        "bake of a 256 cube", 7,
+        [&] {
+            environment::bake_specular(
+                panorama, {}, {}, [&](const auto& faces, const auto& report) { device.fill(faces, report); });
+        },
+        [&] { environment::bake_specular(panorama, {}); });
+    std::printf("  of it on the device: %.3f ms\n", bench::median(device.milliseconds()));
 }
 
 void run()
@@ -123,10 +146,12 @@ void run()
     std::printf("%s\n", device->device().description.c_str());
     print_passes(*device, environment, settings_for(grid, 1920, 1080));
     const draw::Settings settings = settings_for(grid, 1280, 720);
-    bench::side_by_side("grid, 1280x720, from settings to picture", 7, [&] { device->draw(&environment, settings); },
-                        [&] { cpu->draw(&environment, settings); });
+    bench::side_by_side(
+        "grid, 1280x720, from settings to picture", 7, [&] { device->draw(&environment, settings); },
+        [&] { cpu->draw(&environment, settings); });
     compare_lights(*device, grid);
     compare_lights(*cpu, grid);
+    compare_bakes();
 }
 
 } // namespace

@@ -41,7 +41,7 @@ Edges edges_of(const Settings& settings)
 }
 
 double level_of_background(const environment::Environment& environment, const Settings& settings,
-                        const RayMap& rays)
+                           const RayMap& rays)
 {
     const double level_one = environment::level_one_deviation(environment.chain);
     // A pixel of a wide view of a large panorama covers many texels.

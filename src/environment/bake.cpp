@@ -3,7 +3,6 @@
 #include "base/text.h"
 #include "environment/bake_check.h"
 #include "environment/environment.h"
-#include "environment/prefilter_faces.h"
 #include "equations/in_double.h"
 
 #include <tbb/parallel_for.h>
@@ -69,7 +68,7 @@ void check(const BakeOptions& options)
 
 // Of level after level what an error asks for, until a check finds it there.
 void fill_rough_levels(const Panorama& panorama, const BakeOptions& options, BakedSpecular& baked,
-                       const std::function<void(double)>& report)
+                       const std::function<void(double)>& report, const FillFaces& fill)
 {
     std::vector<CheckedLevel> left;
     for (int level = 0; level < baked.cube.levels; ++level)
@@ -86,7 +85,7 @@ void fill_rough_levels(const Panorama& panorama, const BakeOptions& options, Bak
         faces.reserve(left.size());
         for (const CheckedLevel& level : left)
             faces.push_back({baked.cube, level.level, Prefilter(tree, level.lobe, fineness)});
-        prefilter_faces(faces, [&](double share) {
+        fill(faces, [&](double share) {
             done = std::max(done, share); // a further round is short
             if (report)
                 report(done);
@@ -103,7 +102,7 @@ void fill_rough_levels(const Panorama& panorama, const BakeOptions& options, Bak
 } // namespace
 
 BakedSpecular bake_specular(const Panorama& panorama, const BakeOptions& options,
-                            const std::function<void(double)>& report)
+                            const std::function<void(double)>& report, const FillFaces& fill)
 {
     check(options);
     const Enlarged large(panorama, 1024, 512);
@@ -112,18 +111,18 @@ BakedSpecular bake_specular(const Panorama& panorama, const BakeOptions& options
     for (int level = 0; level < levels; ++level)
         baked.levels.push_back({roughness_of(options, level, levels), 0.0});
     fill_sharp(large.panorama, baked.cube);
-    fill_rough_levels(large.panorama, options, baked, report);
+    fill_rough_levels(large.panorama, options, baked, report, fill);
     return baked;
 }
 
-image::CubeMap bake_irradiance(const Panorama& panorama, int size)
+image::CubeMap bake_irradiance(const Panorama& panorama, int size, const FillFaces& fill)
 {
     if (size < 1 || size > 4096)
         throw Error(Failure::usage, text("irradiance faces of ", size, " texels: 1 to 4096 are possible"));
     const Enlarged large(panorama, 64, 32);
     image::CubeMap cube = image::make_cube_map(size, 1);
     const LightTree tree(large.panorama, irradiance_extent);
-    prefilter_faces({{cube, 0, Prefilter(tree, phong_lobe(1.0), irradiance_fineness)}});
+    fill({{cube, 0, Prefilter(tree, phong_lobe(1.0), irradiance_fineness)}}, {});
     for (float& value : cube.values)
         value *= std::numbers::pi_v<float>;
     return cube;

@@ -4,6 +4,7 @@
 
 #include "environment/irradiance.h"
 #include "environment/panorama.h"
+#include "environment/prefilter_faces.h"
 #include "image/cube_map.h"
 
 #include <functional>
@@ -40,12 +41,14 @@ struct BakedSpecular {
     std::vector<BakedLevel> levels;
 };
 
-/// Throws Error(usage) for options out of range. `report` is called with the share done, by one thread at a time.
+/// Throws Error(usage) for options out of range, and what `fill` throws. `report` is called with the share done, by one
+/// thread at a time. Who else than the processors fills the levels is checked by them all the same.
 BakedSpecular bake_specular(const Panorama& panorama, const BakeOptions& options,
-                            const std::function<void(double)>& report = {});
+                            const std::function<void(double)>& report = {},
+                            const FillFaces& fill = prefilter_faces);
 
 /// Irradiance by direction of the normal (lux for radiance in nits), one level, faces of `size` texels (1 to 4096).
-image::CubeMap bake_irradiance(const Panorama& panorama, int size);
+image::CubeMap bake_irradiance(const Panorama& panorama, int size, const FillFaces& fill = prefilter_faces);
 
 /// Nine coefficients of irradiance, RGB by RGB: irradiance(n) = sum of c_i Y_i(n), Y in the order of
 /// equations/spherical_harmonics.glsl. From radiance by the clamped cosine. [Ramamoorthi and Hanrahan 2001]

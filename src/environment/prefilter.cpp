@@ -18,7 +18,7 @@ constexpr double core = 0.65;
 constexpr double finest = 0.4;
 
 // Cells with more than this share of all light are finer still, by so many times.
-constexpr double much_light = 0.002, much_light_times = 4.0;
+constexpr double much_share = 0.002, much_light_times = 4.0;
 
 // Cells with more than so many times the mean radiance are summed apart.
 constexpr double bright_times = 2.0;
@@ -159,7 +159,7 @@ Prefilter::Prefilter(const LightTree& tree, const PrefilterLobe& lobe, double fi
     for (int row = 0; row < top.height; ++row)
         for (int column = 0; column < top.width; ++column)
             light += static_cast<double>(light_of(tree.cell(tree.levels().size() - 1, column, row)));
-    much_light_ = static_cast<float>(much_light * light);
+    much_light_ = static_cast<float>(much_share * light);
     bright_radiance_ = static_cast<float>(bright_times * light / (4.0 * std::numbers::pi));
     const double core2 = core * core * lobe.alpha * lobe.alpha, at_horizon = horizon_extent / lobe.alpha;
     for (const LightCellLevel& level : tree.levels()) {
@@ -188,7 +188,7 @@ void Prefilter::fill(PrefilterPatch& patch, Scratch& scratch) const
         for (int column = 0; column < tree_.levels().back().width; ++column)
             all.push_back({top, column, row});
     fill(patch, {0, patch.tiles, 0}, scratch);
-    normalise(patch);
+    finish_texels(patch, lobe_.integral());
 }
 
 // What is fine enough for all of a part is added to all of it at once; the rest is looked at by its quarters.
@@ -211,22 +211,6 @@ void Prefilter::fill(PrefilterPatch& patch, const Part& part, Scratch& scratch) 
     const std::size_t quarter = std::max(part.tiles / 4, std::size_t{1});
     for (std::size_t first = part.first; first < part.first + part.tiles; first += quarter)
         fill(patch, {first, std::min(quarter, part.first + part.tiles - first), part.depth + 1}, scratch);
-}
-
-// All weights add up to the lobe's integral. Where they do not, the dim cells are to blame, which are coarse: their
-// light is brought to what they have left. So even light stays even, and a sun is not dimmed by the sky around it.
-void Prefilter::normalise(PrefilterPatch& patch) const
-{
-    const float integral = static_cast<float>(lobe_.integral()), over = 1.0f / integral;
-    PrefilterPatch::Sums &dim = patch.dim, &bright = patch.bright;
-    for (std::size_t i = 0; i < PrefilterPatch::tile * patch.tiles; ++i) {
-        const float least = 0.05f * integral;
-        const float left = (integral - bright.weight[i]) / std::max(dim.weight[i], least);
-        const float factor = dim.weight[i] < least ? 1.0f : std::clamp(left, 0.9f, 1.1f);
-        dim.r[i] = over * (bright.r[i] + factor * dim.r[i]);
-        dim.g[i] = over * (bright.g[i] + factor * dim.g[i]);
-        dim.b[i] = over * (bright.b[i] + factor * dim.b[i]);
-    }
 }
 
 } // namespace lambent::environment

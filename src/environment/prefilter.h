@@ -61,13 +61,21 @@ public:
     /// Fills a patch's `dim`.
     void fill(PrefilterPatch& patch, Scratch& scratch) const;
 
-private:
-    // A row of cells: the least chord from which they are fine enough, less than 0 for any, and how far their light
-    // may be from their middle.
+    /// A row of cells: the least chord from which they are fine enough, less than 0 for any, and how far their light
+    /// may be from their middle.
     struct Bounds {
         float far, far_bright, reach;
         bool fine_at_horizon;
     };
+
+    // What fill() goes by, for who does the same elsewhere.
+    const LightTree& tree() const { return tree_; }
+    const PrefilterLobe& lobe() const { return lobe_; }
+    const std::vector<std::vector<Bounds>>& bounds() const { return bounds_; } ///< [depth][row]
+    float much_light() const { return much_light_; }           ///< of a cell that asks for far_bright
+    float bright_radiance() const { return bright_radiance_; } ///< of a cell that is summed apart
+
+private:
     struct Part {
         std::size_t first, tiles, depth;
     };
@@ -75,7 +83,6 @@ private:
     class Walk;
 
     void fill(PrefilterPatch& patch, const Part& part, Scratch& scratch) const;
-    void normalise(PrefilterPatch& patch) const;
 
     const LightTree& tree_;
     PrefilterLobe lobe_;
@@ -92,6 +99,9 @@ struct PrefilterTexels {
     std::size_t first, count; ///< multiples of PrefilterPatch::tile
 };
 void add_cells(std::span<const LightCell> cells, const PrefilterLobe& lobe, const PrefilterTexels& texels);
+
+/// Of all texels of a patch the mean from its sums and the lobe's integral, into `dim`. (The SIMD part.)
+void finish_texels(PrefilterPatch& patch, double integral);
 
 /// A direction in which the mean over a lobe is wanted of all texels, one by one, in double: to check the tree by.
 struct TexelSum {

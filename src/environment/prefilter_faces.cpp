@@ -49,6 +49,14 @@ std::size_t for_each_texel(const Work& work, int size, const Visit& visit)
     return tiles;
 }
 
+// The direction of a texel, which may be one of the border.
+Direction texel_of(const PrefilteredFaces& faces, int face, int x, int y)
+{
+    const int border = faces.border, inside = faces.cube.face_size(faces.level) - 2 * border;
+    return cube_direction(face, (2.0 * (x - border) + 1.0) / inside - 1.0,
+                          (2.0 * (y - border) + 1.0) / inside - 1.0);
+}
+
 struct Worker {
     PrefilterPatch patch;
     Prefilter::Scratch scratch;
@@ -57,11 +65,7 @@ struct Worker {
     {
         image::CubeMap& cube = work.faces->cube;
         const int level = work.faces->level, size = cube.face_size(level);
-        const int border = work.faces->border, inside = size - 2 * border;
-        const auto direction = [&](int x, int y) {
-            return cube_direction(work.face, (2.0 * (x - border) + 1.0) / inside - 1.0,
-                                  (2.0 * (y - border) + 1.0) / inside - 1.0);
-        };
+        const auto direction = [&](int x, int y) { return texel_of(*work.faces, work.face, x, y); };
         // What no texel sets repeats one, as a patch wants it.
         const Direction first = direction(work.x, work.y);
         std::fill(std::begin(patch.x), std::end(patch.x), static_cast<float>(first.x));
@@ -109,6 +113,27 @@ void prefilter_faces(const std::vector<PrefilteredFaces>& faces, const std::func
             report(static_cast<double>(++done) / static_cast<double>(work.size()));
         }
     });
+}
+
+std::vector<FaceTile> face_tiles(const PrefilteredFaces& faces)
+{
+    constexpr int side = 8;
+    const int size = faces.cube.face_size(faces.level);
+    std::vector<FaceTile> tiles;
+    for (int face = 0; face < 6; ++face)
+        for (int top = 0; top < size; top += side)
+            for (int left = 0; left < size; left += side) {
+                FaceTile& tile = tiles.emplace_back(FaceTile{face, left, top, {}});
+                for (int i = 0; i < side * side; ++i) {
+                    const int x = left + i % side, y = top + i / side;
+                    const Direction d =
+                        x < size && y < size ? texel_of(faces, face, x, y) : texel_of(faces, face, left, top);
+                    tile.directions[i][0] = static_cast<float>(d.x);
+                    tile.directions[i][1] = static_cast<float>(d.y);
+                    tile.directions[i][2] = static_cast<float>(d.z);
+                }
+            }
+    return tiles;
 }
 
 } // namespace lambent::environment

@@ -18,8 +18,19 @@ struct PrefilteredFaces {
     int border = 0;
 };
 
-/// Fills all of them, on all processors. `report` is called with the share done, by one thread at a time.
+/// Fills all of them. `report` is called with the share done, by one thread at a time.
+using FillFaces = std::function<void(const std::vector<PrefilteredFaces>& faces,
+                                     const std::function<void(double)>& report)>;
+
+/// On all processors.
 void prefilter_faces(const std::vector<PrefilteredFaces>& faces,
                      const std::function<void(double)>& report = {});
+
+/// The texels of a level's faces by tiles of 8x8, each with as many directions; a tile that is not full repeats its first.
+struct FaceTile {
+    int face, x, y; ///< of its first texel
+    float directions[64][3];
+};
+std::vector<FaceTile> face_tiles(const PrefilteredFaces& faces);
 
 } // namespace lambent::environment

@@ -14,43 +14,16 @@ namespace {
 
 #include "wide/wide.h"
 
-// A weight, and half its Laplacian on the sphere: light spread by a variance v sees w + v (1/2 laplacian w).
-struct Weight {
-    Real value, curvature;
-};
-
-// w = c / q^2, q = A - B c: on the sphere the Laplacian of f(c) is (1 - c^2) f'' - 2 c f'.
 struct GgxWeight {
-    float a2, B;
+    float alpha2;
 
-    explicit GgxWeight(const PrefilterLobe& lobe)
-        : a2(static_cast<float>(lobe.alpha * lobe.alpha)), B(0.5f * (1.0f - a2))
-    {
-    }
-
-    HWY_INLINE Weight at(Real c, Real versine) const
-    {
-        const Real p = reciprocal(Real(B) * versine + Real(a2)); // 1 / q
-        const Real s2 = versine * (2.0 - versine);
-        const Real p2 = p * p, Bp = Real(B) * p;
-        const Real bracket = c * (3.0 * Bp * Bp * s2 - 1.0) + 2.0 * Bp * (s2 - c * c);
-        return {c * p2, p2 * bracket};
-    }
+    HWY_INLINE LobeWeight at(Real c, Real versine) const { return lobe_weight_ggx(c, versine, alpha2); }
 };
 
 struct PhongWeight {
-    float n;
+    float exponent;
 
-    explicit PhongWeight(const PrefilterLobe& lobe) : n(static_cast<float>(lobe.exponent)) {}
-
-    HWY_INLINE Weight at(Real c, Real versine) const
-    {
-        const Real safe = max(c, 1.0e-6);
-        const Real value = exp2(max(Real(n) * log2(safe), -120.0));
-        const Real s2 = versine * (2.0 - versine);
-        const Real inverse2 = reciprocal(safe * safe);
-        return {value, value * Real(n) * (Real(0.5f * (n - 1.0f)) * s2 * inverse2 - 1.0)};
-    }
+    HWY_INLINE LobeWeight at(Real c, Real versine) const { return lobe_weight_phong(c, versine, exponent); }
 };
 
 // Lanes of texels, and what arrives there.
@@ -68,7 +41,7 @@ struct Texels {
         const Real dx = x - Real(cell.x), dy = y - Real(cell.y), dz = z - Real(cell.z);
         // 1 - cosine, from the chord: exact where the lobe is narrow.
         const Real versine = 0.5 * (dx * dx + dy * dy + dz * dz), c = 1.0 - versine;
-        const Weight weight = shape.at(c, versine);
+        const LobeWeight weight = shape.at(c, versine);
         const Real w = select(c > 0.0, max(weight.value + Real(cell.variance) * weight.curvature, 0.0), 0.0);
         r += w * Real(cell.r);
         g += w * Real(cell.g);
@@ -150,9 +123,24 @@ HWY_FLATTEN void add_cells(std::span<const LightCell> cells, const PrefilterLobe
                            const PrefilterTexels& texels)
 {
     if (lobe.phong)
-        add(cells, PhongWeight(lobe), texels);
+        add(cells, PhongWeight{static_cast<float>(lobe.exponent)}, texels);
     else
-        add(cells, GgxWeight(lobe), texels);
+        add(cells, GgxWeight{static_cast<float>(lobe.alpha * lobe.alpha)}, texels);
+}
+
+HWY_FLATTEN void finish_texels(PrefilterPatch& patch, double integral)
+{
+    const auto sum_of = [](const PrefilterPatch::Sums& sums, size_t at) HWY_ATTR {
+        const LobeSum sum = {vec3(load(sums.r + at), load(sums.g + at), load(sums.b + at)),
+                             load(sums.weight + at)};
+        return sum;
+    };
+    for (size_t at = 0; at < PrefilterPatch::tile * patch.tiles; at += lane_count) {
+        const vec3 mean = mean_of_lobe(sum_of(patch.dim, at), sum_of(patch.bright, at), integral);
+        store(mean.x, patch.dim.r + at);
+        store(mean.y, patch.dim.g + at);
+        store(mean.z, patch.dim.b + at);
+    }
 }
 
 HWY_FLATTEN void add_points(const LightPoints& points, LightRange range, TexelSum& sum)
@@ -170,11 +158,17 @@ HWY_AFTER_NAMESPACE();
 namespace lambent::environment {
 
 HWY_EXPORT(add_cells);
+HWY_EXPORT(finish_texels);
 HWY_EXPORT(add_points);
 
 void add_cells(std::span<const LightCell> cells, const PrefilterLobe& lobe, const PrefilterTexels& texels)
 {
     HWY_DYNAMIC_DISPATCH(add_cells)(cells, lobe, texels);
+}
+
+void finish_texels(PrefilterPatch& patch, double integral)
+{
+    HWY_DYNAMIC_DISPATCH(finish_texels)(patch, integral);
 }
 
 void add_points(const LightPoints& points, LightRange range, TexelSum& sum)

@@ -8,5 +8,6 @@
 #include "sphere_maps.glsl"
 #include "spherical_harmonics.glsl"
 #include "footprint.glsl"
+#include "lobe_weight.glsl"
 #include "transfer.glsl"
 #include "tone.glsl"

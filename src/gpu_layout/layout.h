@@ -11,6 +11,7 @@ namespace lambent::gpu_layout {
 using glm::ivec4, glm::uvec4, glm::vec4;
 using uint = std::uint32_t;
 
+#include "gpu_layout/bake.glsl"
 #include "gpu_layout/light.glsl"
 #include "gpu_layout/scene.glsl"
 #include "gpu_layout/tile.glsl"
@@ -25,5 +26,6 @@ static_assert(sizeof(MaterialRecord) == 352 && offsetof(MaterialRecord, uses) ==
 static_assert(sizeof(TextureRecord) == 288 && offsetof(TextureRecord, levels) == 32);
 static_assert(sizeof(PictureRecord) == 384 && offsetof(PictureRecord, layers) == 320);
 static_assert(sizeof(FragmentRecord) == 32 && sizeof(RasterConstants) == 80);
+static_assert(sizeof(BakeConstants) == 32);
 
 } // namespace lambent::gpu_layout

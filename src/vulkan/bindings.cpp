@@ -36,8 +36,7 @@ ShaderLayout::ShaderLayout(const Device& device, std::vector<Binding> bindings, 
 {
     std::vector<VkDescriptorSetLayoutBinding> list;
     for (const Binding binding : bindings_)
-        list.push_back(
-            {static_cast<std::uint32_t>(list.size()), type_of(binding), 1, stages, nullptr});
+        list.push_back({static_cast<std::uint32_t>(list.size()), type_of(binding), 1, stages, nullptr});
     auto set = typed<VkDescriptorSetLayoutCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO);
     set.bindingCount = static_cast<std::uint32_t>(list.size());
     set.pBindings = list.data();

@@ -179,4 +179,10 @@ Candidate choose(const std::vector<Candidate>& devices, Choice choice)
     return *best;
 }
 
+void Instance::require_silence() const
+{
+    if (const std::vector<std::string> all = complaints(); !all.empty())
+        throw Error(Failure::no_device, text("Vulkan's validation layer: ", all.front()));
+}
+
 } // namespace lambent::vulkan

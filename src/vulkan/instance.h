@@ -57,6 +57,9 @@ public:
     bool validated() const { return messenger_ != VK_NULL_HANDLE; }
     std::vector<std::string> complaints() const { return complaints_.all(); }
 
+    /// Throws Error(no_device) with what the layer said first, if it said anything.
+    void require_silence() const;
+
     /// Every device, in the library's order.
     std::vector<Candidate> devices() const;
 

@@ -134,8 +134,8 @@ RasterPipeline::RasterPipeline(const PipelineCache& cache, const ShaderLayout& l
                                stage_of(VK_SHADER_STAGE_FRAGMENT_BIT, fragment, constants)};
     const VkVertexInputBindingDescription stride = {0, shader.vertex_stride, VK_VERTEX_INPUT_RATE_VERTEX};
     const VkVertexInputAttributeDescription place = {0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0};
-    auto input =
-        typed<VkPipelineVertexInputStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO);
+    auto input = typed<VkPipelineVertexInputStateCreateInfo>(
+        VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO);
     input.vertexBindingDescriptionCount = input.vertexAttributeDescriptionCount = 1;
     input.pVertexBindingDescriptions = &stride;
     input.pVertexAttributeDescriptions = &place;

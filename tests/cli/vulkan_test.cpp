@@ -55,6 +55,28 @@ TEST(Vulkan, DrawsWhatTheProcessorDraws)
     EXPECT_LE(different, a.bytes.size() / 100);
 }
 
+TEST(Vulkan, BakesWhatTheProcessorBakes)
+{
+    const Folder folder;
+    const auto bake = [&](const char* backend, const std::string& output) {
+        return testing::run_program("env",
+                                    {"LSAN_OPTIONS=detect_leaks=0", LAMBENT_PROGRAM, "bake", "studio",
+                                     "--size", "16", "--backend", backend, "--stats", "json", "-o", output});
+    };
+    const Outcome there = bake("vulkan", folder.path("there.ktx2"));
+    if (there.code == 4 && !std::getenv("LAMBENT_REQUIRE_VULKAN"))
+        GTEST_SKIP() << there.error;
+    ASSERT_EQ(there.code, 0) << there.error;
+    const json stats = json::parse(there.output);
+    EXPECT_EQ(stats["backend"], "vulkan");
+    EXPECT_GE(stats["device_ms"].value("prefilter", -1.0), 0.0);
+    EXPECT_LE(stats["error"], 0.01);
+    const Outcome here = bake("cpu", folder.path("here.ktx2"));
+    ASSERT_EQ(here.code, 0) << here.error;
+    EXPECT_EQ(json::parse(here.output)["backend"], "cpu");
+    EXPECT_FALSE(json::parse(here.output).contains("device_ms"));
+}
+
 TEST(Vulkan, WithoutADriverItSaysSoAndLeavesNothing)
 {
     const Folder folder;
@@ -62,6 +84,10 @@ TEST(Vulkan, WithoutADriverItSaysSoAndLeavesNothing)
                                 "' render sphere --backend vulkan -o '" +
                                 folder.path("a.png") + "'";
     expect_refused(testing::run_program("sh", {"-c", command}), 4);
+    const std::string bake = "VK_ICD_FILENAMES=/nowhere VK_DRIVER_FILES=/nowhere exec '" LAMBENT_PROGRAM
+                             "' bake studio --backend vulkan -o '" +
+                             folder.path("b") + "'";
+    expect_refused(testing::run_program("sh", {"-c", bake}), 4);
     EXPECT_TRUE(folder.names().empty());
 }
 

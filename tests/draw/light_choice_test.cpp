@@ -27,12 +27,12 @@ TEST(LightChoice, RangesThatEndBeforeTheBoxAreLeftOut)
     const scene::Bounds box = {{-1.0f, -1.0f, -1.0f}, {1.0f, 2.0f, 3.0f}};
     LightSource sun;
     const std::vector<LightSource> lights = {
-        sun,                                                                  // shines everywhere
-        lamp({0.0f, 0.0f, 0.0f}, 0.1f),                                       // inside
-        lamp({3.0f, 0.0f, 0.0f}, 2.1f),                                       // reaches a face
-        lamp({3.0f, 0.0f, 0.0f}, 1.9f),                                       // does not
-        lamp({4.0f, 6.0f, 0.0f}, 5.1f),                                       // reaches an edge 3-4-5 away
-        lamp({4.0f, 6.0f, 0.0f}, 4.9f),                                       // does not
+        sun,                                                                 // shines everywhere
+        lamp({0.0f, 0.0f, 0.0f}, 0.1f),                                      // inside
+        lamp({3.0f, 0.0f, 0.0f}, 2.1f),                                      // reaches a face
+        lamp({3.0f, 0.0f, 0.0f}, 1.9f),                                      // does not
+        lamp({4.0f, 6.0f, 0.0f}, 5.1f),                                      // reaches an edge 3-4-5 away
+        lamp({4.0f, 6.0f, 0.0f}, 4.9f),                                      // does not
         lamp({900.0f, 0.0f, 0.0f}, std::numeric_limits<float>::infinity())}; // unlimited
     std::vector<LightSource> chosen;
     choose_lights(lights, box, chosen);

@@ -32,8 +32,9 @@ struct Reflection {
 private:
     void read(Code op)
     {
-        constexpr std::uint32_t decorate = 71, member_decorate = 72, runtime_array = 29, structure = 30, pointer = 32,
-                                variable = 59, array_stride = 6, binding = 33, set = 34, offset = 35;
+        constexpr std::uint32_t decorate = 71, member_decorate = 72, runtime_array = 29, structure = 30,
+                                pointer = 32, variable = 59, array_stride = 6, binding = 33, set = 34,
+                                offset = 35;
         const std::uint32_t code = op[0] & 0xffffu;
         if (code == decorate && op[2] == array_stride)
             stride_of[op[1]] = op[3];
@@ -61,57 +62,77 @@ struct Shader {
 
 const std::vector<Shader>& shaders()
 {
-    static const std::vector<Shader> all = {
-        {"background",
+    static const std::vector<Shader> all = {{
+                                                "background",
 #include "vulkan/background.comp.spv.inc"
-        },
-        {"edges",
+                                            },
+                                            {
+                                                "edges",
 #include "vulkan/edges.comp.spv.inc"
-        },
-        {"gather",
+                                            },
+                                            {
+                                                "gather",
 #include "vulkan/gather.comp.spv.inc"
-        },
-        {"ids.frag",
+                                            },
+                                            {
+                                                "ids.frag",
 #include "vulkan/ids.frag.spv.inc"
-        },
-        {"ids.vert",
+                                            },
+                                            {
+                                                "ids.vert",
 #include "vulkan/ids.vert.spv.inc"
-        },
-        {"light",
+                                            },
+                                            {
+                                                "light",
 #include "vulkan/light.comp.spv.inc"
-        },
-        {"resolve",
+                                            },
+                                            {
+                                                "resolve",
 #include "vulkan/resolve.comp.spv.inc"
-        },
-        {"seen",
+                                            },
+                                            {
+                                                "seen",
 #include "vulkan/seen.comp.spv.inc"
-        },
-        {"surface",
+                                            },
+                                            {
+                                                "surface",
 #include "vulkan/surface.comp.spv.inc"
-        }};
+                                            }};
     return all;
 }
 
 // Bytes from element to element of the buffers that are arrays.
-const std::map<int, std::size_t> strides = {
-    {binding_fragments, sizeof(float)},       {binding_lights, sizeof(LightRecord)},
-    {binding_samples, sizeof(SampleRecord)},  {binding_lamps, sizeof(LampRecord)},
-    {binding_albedo, 2 * sizeof(float)},      {binding_instances, sizeof(InstanceRecord)},
-    {binding_meshes, sizeof(MeshRecord)},     {binding_materials, sizeof(MaterialRecord)},
-    {binding_textures, sizeof(TextureRecord)}, {binding_codes, sizeof(float)},
-    {binding_places, 2 * sizeof(float)},      {binding_seen, sizeof(uvec4)},
-    {binding_records, sizeof(FragmentRecord)}, {binding_spans, sizeof(uvec4)},
-    {binding_behind, sizeof(vec4)},           {binding_counters, sizeof(uint)},
-    {binding_listed, sizeof(uint)},           {binding_output, sizeof(vec4)}};
+const std::map<int, std::size_t> strides = {{binding_fragments, sizeof(float)},
+                                            {binding_lights, sizeof(LightRecord)},
+                                            {binding_samples, sizeof(SampleRecord)},
+                                            {binding_lamps, sizeof(LampRecord)},
+                                            {binding_albedo, 2 * sizeof(float)},
+                                            {binding_instances, sizeof(InstanceRecord)},
+                                            {binding_meshes, sizeof(MeshRecord)},
+                                            {binding_materials, sizeof(MaterialRecord)},
+                                            {binding_textures, sizeof(TextureRecord)},
+                                            {binding_codes, sizeof(float)},
+                                            {binding_places, 2 * sizeof(float)},
+                                            {binding_seen, sizeof(uvec4)},
+                                            {binding_records, sizeof(FragmentRecord)},
+                                            {binding_spans, sizeof(uvec4)},
+                                            {binding_behind, sizeof(vec4)},
+                                            {binding_counters, sizeof(uint)},
+                                            {binding_listed, sizeof(uint)},
+                                            {binding_output, sizeof(vec4)}};
 
 const std::vector<std::size_t> picture_offsets = {
-    offsetof(PictureRecord, across),    offsetof(PictureRecord, rotation),     offsetof(PictureRecord, chain),
-    offsetof(PictureRecord, maps),      offsetof(PictureRecord, fragments),    offsetof(PictureRecord, samples),
-    offsetof(PictureRecord, origin),    offsetof(PictureRecord, origin_dx),    offsetof(PictureRecord, origin_dy),
-    offsetof(PictureRecord, direction), offsetof(PictureRecord, direction_dx), offsetof(PictureRecord, direction_dy),
-    offsetof(PictureRecord, tile),      offsetof(PictureRecord, apron),        offsetof(PictureRecord, edges),
-    offsetof(PictureRecord, background), offsetof(PictureRecord, blur),        offsetof(PictureRecord, behind),
-    offsetof(PictureRecord, panorama),  offsetof(PictureRecord, addresses),    offsetof(PictureRecord, layers)};
+    offsetof(PictureRecord, across),       offsetof(PictureRecord, rotation),
+    offsetof(PictureRecord, chain),        offsetof(PictureRecord, maps),
+    offsetof(PictureRecord, fragments),    offsetof(PictureRecord, samples),
+    offsetof(PictureRecord, origin),       offsetof(PictureRecord, origin_dx),
+    offsetof(PictureRecord, origin_dy),    offsetof(PictureRecord, direction),
+    offsetof(PictureRecord, direction_dx), offsetof(PictureRecord, direction_dy),
+    offsetof(PictureRecord, tile),         offsetof(PictureRecord, apron),
+    offsetof(PictureRecord, edges),        offsetof(PictureRecord, background),
+    offsetof(PictureRecord, blur),         offsetof(PictureRecord, behind),
+    offsetof(PictureRecord, panorama),     offsetof(PictureRecord, addresses),
+    offsetof(PictureRecord, layers)};
 
 void expect_picture(const Reflection& r, std::uint32_t record, const char* shader)
 {

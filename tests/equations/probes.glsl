@@ -79,6 +79,16 @@ Outputs fresnel(Inputs i)
     return outputs(fresnel_schlick(vec3(i.a, i.b, i.c), i.d), schlick_weight(i.d));
 }
 
+Outputs lobe_weights(Inputs i)
+{
+    Real versine = 0.9 * i.a;
+    LobeWeight g = lobe_weight_ggx(1.0 - versine, versine, 0.1 + 0.9 * i.b);
+    LobeWeight p = lobe_weight_phong(1.0 - versine, versine, 1.0 + 3.0 * i.c);
+    LobeSum dim = {vec3(i.d), 1.0 + i.e};
+    LobeSum bright = {vec3(i.f), 0.1 * i.g};
+    return outputs(vec3(g.value, 0.1 * g.curvature, p.value), p.curvature + mean_of_lobe(dim, bright, 2.0).x);
+}
+
 Outputs fresnel_base(Inputs i)
 {
     return outputs(base_reflectance(vec3(i.a, i.b, i.c), i.d), dielectric_reflectance());

@@ -30,7 +30,8 @@ const Triangle triangle = {vec3(-1.0, -0.8, 0.3), vec3(2.5, 0.4, -0.6), vec3(0.3
 // A perspective whose neighbours also start a little apart.
 SightRay sight(double x, double y)
 {
-    const vec3 origin_dx(0.01, 0.0, 0.0), origin_dy(0.0, 0.005, 0.0), dx(0.02, 0.0, 0.001), dy(0.0, -0.03, 0.0);
+    const vec3 origin_dx(0.01, 0.0, 0.0), origin_dy(0.0, 0.005, 0.0), dx(0.02, 0.0, 0.001),
+        dy(0.0, -0.03, 0.0);
     return {vec3(0.1, 0.2, 4.0) + x * origin_dx + y * origin_dy, origin_dx, origin_dy,
             vec3(-0.05, 0.02, -1.3) + x * dx + y * dy,           dx,        dy};
 }
@@ -136,9 +137,11 @@ TEST(Surface, ASphereMirrorsAsItDoes)
     EXPECT_LT(distance(surface.normal, here.normal), 1e-12);
     EXPECT_LT(distance(surface.view, here.view), 1e-12);
     EXPECT_NEAR(surface.depth, distance(here.normal, s.origin), 1e-12);
-    const vec3 right = on_sphere(sight(3.0 + step, 5.0)).mirror, left = on_sphere(sight(3.0 - step, 5.0)).mirror;
+    const vec3 right = on_sphere(sight(3.0 + step, 5.0)).mirror,
+               left = on_sphere(sight(3.0 - step, 5.0)).mirror;
     EXPECT_LT(distance(surface.mirrored_dx, (1.0 / (2.0 * step)) * (right - left)), 1e-8);
-    const vec3 below = on_sphere(sight(3.0, 5.0 + step)).mirror, above = on_sphere(sight(3.0, 5.0 - step)).mirror;
+    const vec3 below = on_sphere(sight(3.0, 5.0 + step)).mirror,
+               above = on_sphere(sight(3.0, 5.0 - step)).mirror;
     EXPECT_LT(distance(surface.mirrored_dy, (1.0 / (2.0 * step)) * (below - above)), 1e-8);
 }
 
@@ -151,7 +154,8 @@ TEST(Surface, BacksFaceTheViewer)
     const Facet front = facet(0.0, 0.0);
     Facet back = front;
     back.normal = -front.normal;
-    const Surface seen = surface_at(s, front, turning, normal, 1.0), behind = surface_at(s, back, turning, -normal, 1.0);
+    const Surface seen = surface_at(s, front, turning, normal, 1.0),
+                  behind = surface_at(s, back, turning, -normal, 1.0);
     EXPECT_GT(dot(seen.normal, seen.view), 0.0);
     EXPECT_LT(distance(seen.normal, normal), 1e-12);
     EXPECT_LT(distance(behind.normal, normal), 1e-12);
@@ -174,7 +178,8 @@ TEST(Surface, MaterialsBecomeThoseOfTheReport)
     EXPECT_LT(distance(metal.specular, base), 1e-15);
     EXPECT_LT(distance(plastic.diffuse, base), 1e-15);
     EXPECT_NEAR(plastic.specular.x, 0.04, 1e-15);
-    EXPECT_NEAR(metal.exponent, 2.0 / std::pow(0.5, 4.0) - 2.0, 1e-12); // alpha = roughness^2, exponent 2 / alpha^2 - 2
+    EXPECT_NEAR(metal.exponent, 2.0 / std::pow(0.5, 4.0) - 2.0,
+                1e-12); // alpha = roughness^2, exponent 2 / alpha^2 - 2
     EXPECT_EQ(alpha_of_roughness(0.5), 0.25);
     EXPECT_EQ(alpha_of_roughness(0.0), 1e-4);
 }

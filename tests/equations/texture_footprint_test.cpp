@@ -16,14 +16,15 @@ namespace {
 namespace lambent::test {
 namespace {
 
-using in_double::TextureFootprint;
 using in_double::texture_footprint;
+using in_double::TextureFootprint;
 using in_double::vec2;
 
 // A pixel that covers so many texels of a 512x256 texture along each axis.
 TextureFootprint covering(double along_u, double along_v)
 {
-    return texture_footprint({vec2(0.3, 0.7), vec2(along_u / 512.0, 0.0), vec2(0.0, along_v / 256.0)}, vec2(512.0, 256.0), 9.0);
+    return texture_footprint({vec2(0.3, 0.7), vec2(along_u / 512.0, 0.0), vec2(0.0, along_v / 256.0)},
+                             vec2(512.0, 256.0), 9.0);
 }
 
 TEST(TextureFootprint, SquaresAreReadOnceAtTheLevelOfTheirSide)
@@ -39,7 +40,8 @@ TEST(TextureFootprint, SquaresAreReadOnceAtTheLevelOfTheirSide)
 
 TEST(TextureFootprint, LongOnesAreReadAlongTheirAxis)
 {
-    const TextureFootprint wide = covering(4.0, 1.0), high = covering(2.0, 16.0), long_one = covering(100.0, 1.0);
+    const TextureFootprint wide = covering(4.0, 1.0), high = covering(2.0, 16.0),
+                           long_one = covering(100.0, 1.0);
     EXPECT_NEAR(wide.level, 0.0, 1e-12);
     EXPECT_NEAR(wide.ratio, 4.0, 1e-12);
     EXPECT_NEAR(wide.axis.x, 4.0 / 512.0, 1e-15);

@@ -190,9 +190,7 @@ RenderArguments finished(const Words& words, RenderArguments arguments)
     apply_material(words, arguments);
     apply_display(words, arguments);
     if (!words.backend.empty())
-        arguments.backend = choose<Backend>(
-            words.backend, "--backend",
-            {{"auto", Backend::automatic}, {"cpu", Backend::cpu}, {"vulkan", Backend::vulkan}});
+        arguments.backend = choose_backend(words.backend);
     return arguments;
 }
 

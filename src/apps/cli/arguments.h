@@ -24,7 +24,7 @@ struct CommonOptions {
     bool stats_json = false;
 };
 
-/// Who draws. Automatic is the processor: see docs/VULKAN.md.
+/// Who draws or bakes. Automatic is the processor: see docs/VULKAN.md.
 enum class Backend { automatic, cpu, vulkan };
 
 struct RenderArguments {
@@ -90,6 +90,8 @@ struct BakeArguments {
     CubeLayout layout = CubeLayout::faces;
     image::TexelFormat texels = image::TexelFormat::half4;
     bool zstd = false, mirrored = false;
+    Backend backend = Backend::automatic;
+    bool cache = true; ///< of a device's compiled shaders
 
     static constexpr int usual_irradiance_size = 32, usual_table_size = 128;
 };

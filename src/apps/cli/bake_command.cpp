@@ -2,6 +2,7 @@
 #include "apps/cli/commands.h"
 #include "apps/cli/console.h"
 #include "apps/cli/interrupt.h"
+#include "apps/cli/make_filler.h"
 #include "apps/cli/stats.h"
 #include "apps/cli/stopwatch.h"
 #include "apps/cli/threads.h"
@@ -51,17 +52,19 @@ std::vector<double> coefficients_of(const environment::Panorama& panorama)
     return c;
 }
 
-Baked bake(const environment::Panorama& panorama, const BakeArguments& arguments,
+Baked bake(const environment::Panorama& panorama, const BakeArguments& arguments, const Filler& filler,
            const std::function<void(double)>& report)
 {
-    Baked baked{
-        environment::bake_specular(panorama, arguments.options, report), coefficients_of(panorama), {}, {}};
+    Baked baked{environment::bake_specular(panorama, arguments.options, report, filler.fill),
+                coefficients_of(panorama),
+                {},
+                {}};
     report(1.0);
     if (arguments.one_file)
         return baked;
     const int irradiance_size = arguments.irradiance_size.value_or(BakeArguments::usual_irradiance_size);
     if (irradiance_size > 0)
-        baked.irradiance = environment::bake_irradiance(panorama, irradiance_size);
+        baked.irradiance = environment::bake_irradiance(panorama, irradiance_size, filler.fill);
     baked.table =
         environment::bake_split_sum_table(arguments.table_size.value_or(BakeArguments::usual_table_size));
     return baked;
@@ -121,12 +124,13 @@ void bake_to_files(const BakeArguments& arguments, const Interrupt& interrupt, C
             throw Stopped();
     };
     const ThreadLimit limit(arguments.common.threads);
+    const Filler filler = make_filler(arguments);
     Stopwatch watch;
     Warnings warnings;
     const environment::Panorama panorama = load(arguments, warnings);
     watch.lap("environment");
     console.warn(warnings);
-    const Baked baked = bake(panorama, arguments, [&](double done) {
+    const Baked baked = bake(panorama, arguments, filler, [&](double done) {
         stop_if_asked();
         console.progress(static_cast<float>(done));
     });
@@ -139,6 +143,11 @@ void bake_to_files(const BakeArguments& arguments, const Interrupt& interrupt, C
         console.remark(text("wrote ", file));
     if (arguments.common.stats_json) {
         nlohmann::ordered_json stats = describe(arguments, baked, files);
+        stats["backend"] = filler.backend;
+        if (const std::optional<double> milliseconds = filler.milliseconds()) {
+            stats["device"] = filler.device;
+            stats["device_ms"]["prefilter"] = *milliseconds;
+        }
         add_cost(watch, stats);
         print(stats);
     } else if (arguments.common.verbosity != Verbosity::quiet) {

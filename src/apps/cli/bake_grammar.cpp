@@ -77,7 +77,8 @@ void BakeGrammar::add_light(CLI::App& command)
            "Nine coefficients alone, or also a cube with N texels along an edge (32)");
     option(command, "--lut", table_, "N", "Texels along an edge of the split-sum table, 2 to 1024 (128)");
     option(command, "--env-rotation", rotation_, "DEG", "Turn the environment about the vertical (0)");
-    command.add_flag("--no-cache", no_cache_, "Changes nothing: a bake uses no cache");
+    option(command, "--backend", backend_, "NAME", "auto, cpu or vulkan (auto)");
+    command.add_flag("--no-cache", no_cache_, "vulkan: neither read nor write compiled shaders");
 }
 
 void BakeGrammar::add_files(CLI::App& command)
@@ -110,6 +111,9 @@ void BakeGrammar::apply_light(BakeArguments& arguments) const
         arguments.irradiance_size = irradiance_ == "sh" ? 0 : whole_in(irradiance_, "--irradiance", 1, 4096);
     if (!table_.empty())
         arguments.table_size = whole_in(table_, "--lut", 2, 1024);
+    if (!backend_.empty())
+        arguments.backend = choose_backend(backend_);
+    arguments.cache = !no_cache_;
     if (!rotation_.empty())
         arguments.rotation = std::remainder(parse_number(rotation_, "--env-rotation"), 360.0);
 }

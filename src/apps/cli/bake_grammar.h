@@ -29,7 +29,7 @@ private:
     CLI::App* command_ = nullptr;
     CommonWords common_;
     BakeArguments arguments_;
-    std::string size_, irradiance_, specular_, error_, samples_, table_, roughness_, rotation_;
+    std::string size_, irradiance_, specular_, error_, samples_, table_, roughness_, rotation_, backend_;
     std::string format_, layout_, texels_;
     bool no_cache_ = false;
 };

@@ -48,6 +48,13 @@ void add_common(CLI::App& app, CommonWords& words)
     app.add_flag("--verbose", words.verbose, "Say what is being done");
 }
 
+Backend choose_backend(const std::string& word)
+{
+    return choose<Backend>(
+        word, "--backend",
+        {{"auto", Backend::automatic}, {"cpu", Backend::cpu}, {"vulkan", Backend::vulkan}});
+}
+
 CommonOptions common_options(const CommonWords& words)
 {
     CommonOptions common;

@@ -33,6 +33,9 @@ Value choose(const std::string& word, const std::string& option,
     throw Error(Failure::usage, text(option, ": '", word, "' is none of ", known));
 }
 
+/// "auto", "cpu" or "vulkan". Throws Error(usage).
+Backend choose_backend(const std::string& word);
+
 /// A number from `least` to `most`. Throws Error(usage).
 float number_in(const std::string& word, const std::string& option, double least, double most);
 

@@ -2,10 +2,9 @@
 
 #include "base/error.h"
 #include "draw/cpu/cpu_renderer.h"
-#include "environment/environment_cache.h"
 
 #ifdef LAMBENT_VULKAN
-#include "draw/vulkan/vulkan_renderer.h"
+#include "apps/cli/device_options.h"
 #endif
 
 namespace lambent::cli {
@@ -15,10 +14,7 @@ std::unique_ptr<draw::Renderer> make_renderer(const RenderArguments& arguments, 
     if (arguments.backend != Backend::vulkan)
         return draw::make_cpu_renderer(scene);
 #ifdef LAMBENT_VULKAN
-    draw::VulkanOptions options;
-    if (arguments.cache)
-        options.cache_folder = environment::user_cache_folder().value_or("");
-    return draw::make_vulkan_renderer(scene, options);
+    return draw::make_vulkan_renderer(scene, device_options(arguments.cache));
 #else
     throw Error(Failure::no_device, "--backend vulkan: this program was built without Vulkan");
 #endif

@@ -32,8 +32,8 @@ BackgroundOnDevice::BackgroundOnDevice(const vulkan::Device& device, const Prepa
     const environment::Environment* const environment = picture.light.environment;
     record.background = vec4(background.color, picture.background_level);
     record.behind.x = background.kind == Background::Kind::color ? background_color : background_none;
-    if (environment && (background.kind == Background::Kind::environment ||
-                        background.kind == Background::Kind::blurred)) {
+    if (environment &&
+        (background.kind == Background::Kind::environment || background.kind == Background::Kind::blurred)) {
         record.behind.x = picture.background_level < 0.0f ? background_panorama : background_blurred;
         record.blur = blur_of(*environment, std::max(picture.background_level, 0.0f));
     }
@@ -42,8 +42,9 @@ BackgroundOnDevice::BackgroundOnDevice(const vulkan::Device& device, const Prepa
         return;
     const environment::Panorama& panorama = environment->panorama;
     const std::span<const std::byte> texels = std::as_bytes(std::span(panorama.texels));
-    panorama_.emplace(filled_buffer(
-        device, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT, {&texels, 1}));
+    panorama_.emplace(
+        filled_buffer(device, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT,
+                      {&texels, 1}));
     const VkDeviceAddress address = panorama_->address();
     record.addresses.z = static_cast<uint>(address);
     record.addresses.w = static_cast<uint>(address >> 32);

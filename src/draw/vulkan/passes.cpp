@@ -54,7 +54,8 @@ std::unique_ptr<vulkan::ShaderLayout> pass_layout(const vulkan::Device& device)
     return std::make_unique<vulkan::ShaderLayout>(device, bindings, sizeof(RasterConstants));
 }
 
-Passes::Passes(const vulkan::PipelineCache& cache, const vulkan::ShaderLayout& layout, const PassChoice& choice)
+Passes::Passes(const vulkan::PipelineCache& cache, const vulkan::ShaderLayout& layout,
+               const PassChoice& choice)
     : cache_(cache), layout_(layout), choice_(choice)
 {
 }
@@ -75,7 +76,8 @@ const vulkan::RasterPipeline& Passes::triangles(int wave)
     if (!place)
         place = std::make_unique<vulkan::RasterPipeline>(
             cache_, layout_,
-            vulkan::RasterShader{ids_vertex, ids_fragment, constants, id_format, depth_format, 3 * sizeof(float)});
+            vulkan::RasterShader{ids_vertex, ids_fragment, constants, id_format, depth_format,
+                                 3 * sizeof(float)});
     return *place;
 }
 

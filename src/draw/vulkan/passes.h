@@ -45,7 +45,8 @@ public:
 private:
     using Compute = std::unique_ptr<vulkan::ComputePipeline>;
 
-    const vulkan::ComputePipeline& made(Compute& place, vulkan::Spirv code, vulkan::Constants constants) const;
+    const vulkan::ComputePipeline& made(Compute& place, vulkan::Spirv code,
+                                        vulkan::Constants constants) const;
 
     const vulkan::PipelineCache& cache_;
     const vulkan::ShaderLayout& layout_;

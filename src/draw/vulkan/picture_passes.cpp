@@ -20,10 +20,10 @@ struct ColumnPair {
 };
 
 constexpr ColumnPair columns[] = {
-    {base_r, column_base},       {specular_r, column_specular},     {gloss, column_gloss},
-    {metalness, column_metalness}, {shading_x, column_normal},      {depth, column_depth},
+    {base_r, column_base},         {specular_r, column_specular},     {gloss, column_gloss},
+    {metalness, column_metalness}, {shading_x, column_normal},        {depth, column_depth},
     {occlusion, column_occlusion}, {irradiance_r, column_irradiance}, {emitted_r, column_emitted},
-    {direct_r, column_direct},   {ambient_r, column_ambient},       {reflected_r, column_reflected}};
+    {direct_r, column_direct},     {ambient_r, column_ambient},       {reflected_r, column_reflected}};
 
 int layer_code(const LayerSource& source)
 {
@@ -147,7 +147,8 @@ void PicturePasses::light(Commands& commands)
 {
     const auto add = [&](const char* name, int pass) {
         commands.lap(name);
-        commands.dispatch_indirect(tools_.passes.light(pass), set_, no_constants, {tools_.tile.counters(), 0});
+        commands.dispatch_indirect(tools_.passes.light(pass), set_, no_constants,
+                                   {tools_.tile.counters(), 0});
     };
     if (!prepared_.lights.empty())
         add("direct", pass_direct);
@@ -204,7 +205,8 @@ void PicturePasses::finish(Commands& commands)
         commands.dispatch(tools_.passes.background(), set_, no_constants, blocks(record_.tile));
     }
     commands.lap("readback");
-    const auto values = static_cast<VkDeviceSize>(record_.tile.z) * static_cast<VkDeviceSize>(record_.tile.w) *
+    const auto values = static_cast<VkDeviceSize>(record_.tile.z) *
+                        static_cast<VkDeviceSize>(record_.tile.w) *
                         static_cast<VkDeviceSize>(1 + record_.samples.z);
     commands.copy(tools_.tile.output(), tools_.tile.drawn(), values * sizeof(vec4));
 }
@@ -212,7 +214,8 @@ void PicturePasses::finish(Commands& commands)
 std::uint32_t PicturePasses::counted(int counter) const
 {
     std::uint32_t count = 0;
-    std::memcpy(&count, tools_.tile.counted().memory().data() + static_cast<std::size_t>(counter) * sizeof count,
+    std::memcpy(&count,
+                tools_.tile.counted().memory().data() + static_cast<std::size_t>(counter) * sizeof count,
                 sizeof count);
     return count;
 }

@@ -61,7 +61,8 @@ vec4 row(const glm::mat4& m, int i)
 UseRecord use_record(const scene::TextureUse& use, int texture)
 {
     const glm::mat3& m = use.transform;
-    return {{m[0][0], m[1][0], m[2][0], 0.0f}, {m[0][1], m[1][1], m[2][1], 0.0f}, {texture, use.texcoord, 0, 0}};
+    return {
+        {m[0][0], m[1][0], m[2][0], 0.0f}, {m[0][1], m[1][1], m[2][1], 0.0f}, {texture, use.texcoord, 0, 0}};
 }
 
 vec4 given(const std::optional<glm::vec3>& color)
@@ -89,9 +90,10 @@ TextureRecord texture_record(const PackedTexture& texture, VkDeviceAddress addre
 {
     static_assert(most_texture_levels == PackedTexture::most_levels);
     TextureRecord record{};
-    const auto table = std::find(code_tables.begin(), code_tables.end(), texture.transfer) - code_tables.begin();
-    record.place = {static_cast<uint>(address), static_cast<uint>(address >> 32), texture.half_floats ? 1u : 0u,
-                    static_cast<uint>(table)};
+    const auto table =
+        std::find(code_tables.begin(), code_tables.end(), texture.transfer) - code_tables.begin();
+    record.place = {static_cast<uint>(address), static_cast<uint>(address >> 32),
+                    texture.half_floats ? 1u : 0u, static_cast<uint>(table)};
     record.reading = {wrap_of(texture.sampler.wrap_u), wrap_of(texture.sampler.wrap_v),
                       texture.sampler.magnify_nearest ? 1 : 0, texture.levels};
     for (int level = 0; level < texture.levels; ++level)
@@ -119,14 +121,13 @@ void SceneOnDevice::place_geometry(const vulkan::Device& device, const scene::Sc
     for (const scene::Mesh& mesh : scene.meshes) {
         const uvec4 vectors(words.add(mesh.positions), words.add(mesh.normals), words.add(mesh.tangents),
                             words.add(mesh.colors));
-        const uvec4 others(words.add(mesh.texcoords[0]), words.add(mesh.texcoords[1]), words.add(mesh.triangles),
-                           0);
+        const uvec4 others(words.add(mesh.texcoords[0]), words.add(mesh.texcoords[1]),
+                           words.add(mesh.triangles), 0);
         records.push_back({vectors, others});
         positions.add(mesh.positions);
         indices.add(mesh.triangles);
     }
-    geometry_.emplace(
-        filled_buffer(device, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | by_address, words.parts()));
+    geometry_.emplace(filled_buffer(device, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | by_address, words.parts()));
     positions_.emplace(filled_buffer(device, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, positions.parts()));
     indices_.emplace(filled_buffer(device, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, indices.parts()));
     meshes_.emplace(filled_buffer(device, records));
@@ -182,7 +183,8 @@ void SceneOnDevice::place_textures(const vulkan::Device& device, const SceneText
     std::vector<TextureRecord> records;
     for (std::size_t i = 0; i < textures.size(); ++i) {
         const Bytes texels = std::as_bytes(std::span(textures[i].bytes));
-        texels_.push_back(filled_buffer(device, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | by_address, {&texels, 1}));
+        texels_.push_back(
+            filled_buffer(device, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | by_address, {&texels, 1}));
         records.push_back(texture_record(textures[i], texels_.back().address()));
     }
     textures_.emplace(filled_buffer(device, records));
@@ -203,7 +205,8 @@ void SceneOnDevice::plan_draws(const vulkan::Device& device, const scene::Scene&
         next.firstIndex += next.indexCount;
         next.vertexOffset += static_cast<std::int32_t>(mesh.positions.size());
     }
-    std::array<std::vector<VkDrawIndexedIndirectCommand>, 3> draws; // all sides; fronts; fronts of mirrored ones
+    std::array<std::vector<VkDrawIndexedIndirectCommand>, 3>
+        draws; // all sides; fronts; fronts of mirrored ones
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const scene::Instance& instance = scene.instances[i];
         const scene::Material& material = material_of(scene, instance);
@@ -219,9 +222,10 @@ void SceneOnDevice::plan_draws(const vulkan::Device& device, const scene::Scene&
                                   VK_FRONT_FACE_CLOCKWISE};
     for (std::size_t kind = 0; kind < draws.size(); ++kind) {
         if (!draws[kind].empty())
-            batches_.push_back({nullptr, static_cast<uint>(all.size()), static_cast<uint>(draws[kind].size()),
-                                static_cast<VkCullModeFlags>(kind == 0 ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT),
-                                sides[kind]});
+            batches_.push_back(
+                {nullptr, static_cast<uint>(all.size()), static_cast<uint>(draws[kind].size()),
+                 static_cast<VkCullModeFlags>(kind == 0 ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT),
+                 sides[kind]});
         all.insert(all.end(), draws[kind].begin(), draws[kind].end());
     }
     const Bytes bytes = std::as_bytes(std::span(all));

@@ -33,7 +33,8 @@ public:
 private:
     void place_geometry(const vulkan::Device& device, const scene::Scene& scene);
     void place_instances(const vulkan::Device& device, const scene::Scene& scene);
-    void place_materials(const vulkan::Device& device, const scene::Scene& scene, const SceneTextures& textures);
+    void place_materials(const vulkan::Device& device, const scene::Scene& scene,
+                         const SceneTextures& textures);
     void place_textures(const vulkan::Device& device, const SceneTextures& textures);
     void plan_draws(const vulkan::Device& device, const scene::Scene& scene);
 

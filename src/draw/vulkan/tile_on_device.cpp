@@ -9,8 +9,8 @@ namespace {
 using namespace gpu_layout;
 using vulkan::Place, vulkan::TextureShape;
 
-constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, to = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                             from = VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
+constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
+                             to = VK_BUFFER_USAGE_TRANSFER_DST_BIT, from = VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
 
 // A tile with the pixels around it.
 TextureShape target(const TileShape& tile, VkFormat format, std::uint32_t layers, VkImageUsageFlags usage)
@@ -39,7 +39,8 @@ std::size_t output_bytes(const TileShape& s)
 TileShape tile_shape(const vulkan::Device& device, const Settings& settings, int looks, int layers)
 {
     constexpr int widest = 4096;
-    constexpr std::size_t least_pixels = 4096, per_fragment = column_count * sizeof(float) + sizeof(FragmentRecord);
+    constexpr std::size_t least_pixels = 4096,
+                          per_fragment = column_count * sizeof(float) + sizeof(FragmentRecord);
     const auto all_looks = static_cast<std::size_t>(looks), all_layers = static_cast<std::size_t>(1 + layers);
     const std::size_t per_pixel = 3 * per_fragment / 2 + all_looks * (2 * sizeof(uint) + sizeof(vec4)) +
                                   sizeof(uint) + 3 * sizeof(uvec4) + 2 * all_layers * sizeof(vec4);
@@ -57,25 +58,27 @@ TileShape tile_shape(const vulkan::Device& device, const Settings& settings, int
     shape.looks = looks;
     shape.layers = layers;
     // Where all pixels are edges a tile is drawn in parts.
-    shape.capacity = std::max(3 * shape.pixels() / 2, all_looks * static_cast<std::size_t>(group_size)) + group_size;
+    shape.capacity =
+        std::max(3 * shape.pixels() / 2, all_looks * static_cast<std::size_t>(group_size)) + group_size;
     return shape;
 }
 
 TileOnDevice::TileOnDevice(const vulkan::Device& device, const TileShape& shape)
-    : shape_(shape),
-      ids_(device, target(shape, id_format, static_cast<std::uint32_t>(shape.looks),
-                          VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT)),
+    : shape_(shape), ids_(device, target(shape, id_format, static_cast<std::uint32_t>(shape.looks),
+                                         VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT)),
       depth_(device, target(shape, depth_format, 0, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT)),
       nearest_(device, vulkan::Filter::nearest),
       values_(device, shape.capacity * column_count * sizeof(float), storage | from | to, Place::device),
       picture_(device, sizeof(PictureRecord), storage | to, Place::device),
-      places_(device, static_cast<std::size_t>(std::max(shape.looks, 8)) * sizeof(glm::vec2), storage, Place::upload),
+      places_(device, static_cast<std::size_t>(std::max(shape.looks, 8)) * sizeof(glm::vec2), storage,
+              Place::upload),
       seen_(device, apron_pixels(shape) * 2 * sizeof(uvec4), storage, Place::device),
       records_(device, shape.capacity * sizeof(FragmentRecord), storage, Place::device),
       spans_(device, shape.pixels() * sizeof(uvec4), storage, Place::device),
-      behind_(device, shape.pixels() * static_cast<std::size_t>(shape.looks) * sizeof(vec4), storage, Place::device),
-      counters_(device, counter_count * sizeof(uint), storage | from | to | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
-                Place::device),
+      behind_(device, shape.pixels() * static_cast<std::size_t>(shape.looks) * sizeof(vec4), storage,
+              Place::device),
+      counters_(device, counter_count * sizeof(uint),
+                storage | from | to | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT, Place::device),
       counted_(device, counter_count * sizeof(uint), to, Place::readback),
       listed_(device, shape.pixels() * sizeof(uint), storage, Place::device),
       output_(device, output_bytes(shape), storage | from, Place::device),

@@ -50,7 +50,8 @@ private:
     TileShape shape_;
     vulkan::Texture ids_, depth_;
     vulkan::Sampler nearest_;
-    vulkan::Buffer values_, picture_, places_, seen_, records_, spans_, behind_, counters_, counted_, listed_, output_, drawn_;
+    vulkan::Buffer values_, picture_, places_, seen_, records_, spans_, behind_, counters_, counted_, listed_,
+        output_, drawn_;
 };
 
 } // namespace lambent::draw

@@ -42,6 +42,7 @@ public:
             }
         frame.passes = passes.times();
         cache_.keep();
+        instance_.require_silence();
         return frame;
     }
 

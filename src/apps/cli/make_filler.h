@@ -1,0 +1,24 @@
+// Who prefilters an environment, as a command line asks for it.
+#pragma once
+
+#include "apps/cli/arguments.h"
+#include "environment/prefilter_faces.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace lambent::cli {
+
+struct Filler {
+    environment::FillFaces fill;
+    std::string backend, device; ///< for people; the processors have no device
+
+    /// Milliseconds on the device so far; none of the processors.
+    std::function<std::optional<double>()> milliseconds;
+};
+
+/// Throws Error(no_device), with Backend::vulkan also where this program was built without it.
+Filler make_filler(const BakeArguments& arguments);
+
+} // namespace lambent::cli

@@ -1,0 +1,45 @@
+// Environments prefiltered on a Vulkan device.
+#pragma once
+
+#include "draw/vulkan/vulkan_renderer.h"
+#include "environment/prefilter_faces.h"
+#include "vulkan/commands.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace lambent::draw {
+
+/// Does what environment::prefilter_faces does, of the same trees.
+class DevicePrefilter {
+public:
+    /// Throws Error(no_device) as make_vulkan_renderer does.
+    explicit DevicePrefilter(const VulkanOptions& options);
+    ~DevicePrefilter();
+
+    /// An environment::FillFaces. Throws Error(no_device).
+    void fill(const std::vector<environment::PrefilteredFaces>& faces,
+              const std::function<void(double)>& report);
+
+    const std::string& device() const { return device_.name(); }
+
+    /// Milliseconds on the device, of each call to fill() in turn.
+    const std::vector<double>& milliseconds() const { return milliseconds_; }
+
+    /// What the validation layer has said; empty is good.
+    std::vector<std::string> complaints() const { return instance_.complaints(); }
+
+private:
+    const vulkan::ComputePipeline& pipeline(bool phong);
+
+    vulkan::Instance instance_;
+    vulkan::Device device_;
+    vulkan::PipelineCache cache_;
+    vulkan::ShaderLayout layout_;
+    std::unique_ptr<vulkan::ComputePipeline> pipelines_[2];
+    std::vector<double> milliseconds_;
+};
+
+} // namespace lambent::draw
