@@ -23,7 +23,7 @@ struct Edges {
 struct PreparedPicture {
     /// The environment (may be null) and the settings must outlive it.
     PreparedPicture(std::span<const scene::Light> scene_lights, const environment::Environment* environment,
-                    const Settings& settings);
+                    const Settings& given);
     PreparedPicture(const PreparedPicture&) = delete;
     PreparedPicture& operator=(const PreparedPicture&) = delete;
 

@@ -223,13 +223,13 @@ std::uint32_t PicturePasses::counted(int counter) const
 void PicturePasses::run(Commands& commands)
 {
     commands.run();
-    for (const auto& [name, milliseconds] : commands.laps()) {
-        const auto found =
-            std::find_if(times_.begin(), times_.end(), [&](const auto& time) { return time.first == name; });
+    for (const auto& lap : commands.laps()) {
+        const auto found = std::find_if(times_.begin(), times_.end(),
+                                        [&](const auto& time) { return time.first == lap.first; });
         if (found == times_.end())
-            times_.emplace_back(name, milliseconds);
+            times_.push_back(lap);
         else
-            found->second += milliseconds;
+            found->second += lap.second;
     }
 }
 
