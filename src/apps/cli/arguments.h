@@ -8,6 +8,8 @@
 #include "image/cube_files.h"
 #include "scene/builtin.h"
 
+#include <glm/vec3.hpp>
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -37,6 +39,7 @@ struct RenderArguments {
     std::string layers; ///< folder; empty: none
     draw::Settings settings;
     std::optional<view::Orbit> orbit; ///< unset: the default view, or camera_node
+    std::optional<glm::vec3> target;  ///< what the orbit is around; unset: the scene's middle
     std::string camera_node;
     float vertical_fov = 0.7853982f;
     display::Settings display;
