@@ -193,6 +193,7 @@ TEST(Docs, CliListsEveryOptionAndNoOther)
                                    {"reference", "--help"},
                                    {"compare", "--help"},
                                    {"report", "--help"},
+                                   {"serve", "--help"},
                                    {"env", "--help"},
                                    {"info", "--help"}})
         real.merge(options_in(testing::run_program(LAMBENT_PROGRAM, command).output));

@@ -4,6 +4,7 @@
 #include "apps/cli/compare_grammar.h"
 #include "apps/cli/grammar.h"
 #include "apps/cli/report_grammar.h"
+#include "apps/cli/serve_grammar.h"
 #include "apps/cli/values.h"
 #include "apps/cli/version.h"
 #include "base/error.h"
@@ -258,6 +259,7 @@ struct Grammar {
     BakeGrammar bake;
     CompareGrammar compare;
     ReportGrammar report;
+    ServeGrammar serve;
     CLI::App* render_command = nullptr;
     CLI::App* reference_command = nullptr;
     CLI::App* env_command = nullptr;
@@ -274,6 +276,7 @@ struct Grammar {
         add_reference();
         compare.add(app);
         report.add(app);
+        serve.add(app);
         add_env();
         add_info();
     }
@@ -359,6 +362,8 @@ struct Grammar {
             return compare.result();
         if (report.parsed())
             return report.result();
+        if (serve.parsed())
+            return serve.result();
         if (env_command->parsed())
             return finished(words, env);
         info.common = common_options(words);

@@ -109,6 +109,17 @@ struct ReportArguments {
     bool cache = true;             ///< of environments
 };
 
+struct ServeArguments {
+    CommonOptions common;
+    std::string scene;
+    std::string environment = "kitchen";
+    std::string host = "127.0.0.1"; ///< an address, or localhost
+    std::uint16_t port = 8080;      ///< 0: any that is free
+    std::string token;              ///< empty: none
+    int sessions = 8;               ///< at once
+    bool cache = true;              ///< of environments
+};
+
 struct EnvArguments {
     CommonOptions common;
     std::string name;
@@ -127,8 +138,9 @@ struct PrintText {
     std::string text;
 };
 
-using Arguments = std::variant<PrintText, RenderArguments, BakeArguments, ReferenceArguments,
-                               CompareArguments, ReportArguments, EnvArguments, InfoArguments>;
+using Arguments =
+    std::variant<PrintText, RenderArguments, BakeArguments, ReferenceArguments, CompareArguments,
+                 ReportArguments, ServeArguments, EnvArguments, InfoArguments>;
 
 /// Throws Error(usage) with one line for whatever is wrong.
 Arguments parse_arguments(int count, const char* const* words);

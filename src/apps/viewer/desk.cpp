@@ -102,9 +102,15 @@ Desk::Desk(Stock& stock) : stock_(stock), thread_([this] { work(); })
 Desk::~Desk()
 {
     stock_.on_change({});
+    stop();
+}
+
+void Desk::stop()
+{
     ending_ = true;
     nudge();
-    thread_.join();
+    if (thread_.joinable())
+        thread_.join();
 }
 
 void Desk::add(std::shared_ptr<Session> session)

@@ -25,6 +25,9 @@ public:
     /// Closes it. What is being drawn for it ends soon.
     void remove(const std::shared_ptr<Session>& session);
 
+    /// Ends the drawing for good; returns when nothing is shown any more.
+    void stop();
+
     /// Something changed: there may be work. Any thread.
     void nudge();
 
