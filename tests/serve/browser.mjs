@@ -46,7 +46,7 @@ const browser = await startBrowser();
 const { server, address } = await startServer(program, ['grid', '--port', '0', '--quiet']);
 
 // Calls use(page, context) with a fresh page that shows its first picture at rest; nothing may be complained of.
-async function open({ width = 700, height = 400, ...options }, use) {
+async function open({ width = 900, height = 400, ...options }, use) {
     const context = await browser.newContext({ viewport: { width, height }, acceptDownloads: true, ...options });
     const page = await context.newPage(), troubles = [];
     page.on('console', message => {
@@ -140,11 +140,12 @@ const checks = {
         assert.ok((await camera(page))[2] > near * 1.5);
         const target = async () => (await page.inputValue('#command')).match(/--target (\S+)/)[1];
         const before = await target();
-        await page.mouse.dblclick(190, 180);
+        const box = await page.locator('#picture').boundingBox();
+        await page.mouse.dblclick(box.x + box.width / 2, box.y + box.height / 2); // on the middle sphere
         await page.waitForFunction(old => !document.getElementById('command').value.includes(`--target ${old} `), before);
         assert.notEqual(await target(), before);
     }),
-    'keys turn, and every key of the list is there': () => open({}, async page => {
+    'keys turn, list themselves and hide the controls': () => open({}, async page => {
         await page.focus('#picture');
         const [azimuth] = await camera(page);
         await page.keyboard.press('ArrowRight');

@@ -66,6 +66,7 @@ Visitor::Visitor(std::uint16_t port, const std::string& target) : socket_(contex
 {
     socket_.next_layer().connect(at(port));
     watchdog_ = std::make_unique<Watchdog>(socket_.next_layer().native_handle());
+    socket_.next_layer().set_option(tcp::no_delay(true)); // as browsers do
     socket_.handshake("localhost:" + std::to_string(port), target);
     socket_.read_message_max(std::size_t{256} << 20);
 }

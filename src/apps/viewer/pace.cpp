@@ -8,7 +8,7 @@ namespace lambent::viewer {
 void Pace::made(double scale, double milliseconds)
 {
     // A little is kept for what is not drawing.
-    constexpr double spare = 0.8, steps = 16.0, up_margin = 0.92;
+    constexpr double spare = 0.9, steps = 16.0, up_margin = 0.92;
     if (!(milliseconds > 0.0) || !(scale > 0.0))
         return;
     const double full_ms = milliseconds / (scale * scale);
