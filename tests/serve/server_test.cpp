@@ -190,6 +190,7 @@ TEST(Server, HasOnlySoManyPlaces)
     const std::uint16_t port = running.server.port();
     {
         std::vector<std::unique_ptr<Visitor>> visitors;
+        visitors.reserve(4);
         for (int i = 0; i < 4; ++i)
             visitors.push_back(std::make_unique<Visitor>(port));
         EXPECT_THROW(Visitor(port, "/socket"), boost::system::system_error);

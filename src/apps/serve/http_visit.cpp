@@ -151,7 +151,7 @@ private:
 
 } // namespace
 
-void visit(std::shared_ptr<House> house, tcp::socket socket)
+void visit(const std::shared_ptr<House>& house, tcp::socket socket)
 {
     // Of those who are turned away only so many are even told.
     const int most = house->options.limits.connections;

@@ -8,6 +8,6 @@
 namespace lambent::serve {
 
 /// Serves a new connection, whose socket it keeps until it is over.
-void visit(std::shared_ptr<House> house, boost::asio::ip::tcp::socket socket);
+void visit(const std::shared_ptr<House>& house, boost::asio::ip::tcp::socket socket);
 
 } // namespace lambent::serve

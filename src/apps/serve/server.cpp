@@ -24,7 +24,7 @@ asio::ip::address address_of(const std::string& host)
     if (host == "localhost")
         return asio::ip::address_v4::loopback();
     boost::system::error_code error;
-    const asio::ip::address address = asio::ip::make_address(host, error);
+    asio::ip::address address = asio::ip::make_address(host, error);
     if (error)
         throw Error(Failure::usage,
                     text("--host: '", one_line(host), "' is no address, such as 127.0.0.1 or ::"));

@@ -55,7 +55,7 @@ private:
 };
 
 /// The table with its defaults, for pages: an array of objects.
-nlohmann::ordered_json to_json(std::span<const Parameter> table);
+nlohmann::ordered_json to_json(std::span<const Parameter> rows);
 
 /// The values, for pages: an object of words.
 nlohmann::ordered_json to_json(const Values& values);

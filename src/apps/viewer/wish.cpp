@@ -83,6 +83,7 @@ cli::RenderArguments arguments_of(const Wish& wish)
     words.insert(words.begin(), "lambent");
     words.insert(words.end(), {"-o", "picture.png"});
     std::vector<const char*> pointers;
+    pointers.reserve(words.size());
     for (const std::string& word : words)
         pointers.push_back(word.c_str());
     const cli::Arguments parsed = cli::parse_arguments(static_cast<int>(pointers.size()), pointers.data());
