@@ -128,16 +128,15 @@ ImageInfo inspect_jpeg(std::span<const std::uint8_t> bytes, const std::string& n
             frame.width, frame.height};
 }
 
-std::vector<std::uint8_t> encode_jpeg(const CodeImage& image)
+std::vector<std::uint8_t> encode_jpeg(const CodeImage& image, const JpegEffort& effort)
 {
-    constexpr int quality = 95;
     const Handle handle = owned(tjInitCompress());
     unsigned char* buffer = nullptr;
     unsigned long length = 0;
-    const int status =
-        tjCompress2(handle.get(), image.bytes.data(), image.width, image.width * image.channels, image.height,
-                    image.channels == 4 ? TJPF_RGBX : TJPF_RGB, &buffer, &length, TJSAMP_444, quality,
-                    TJFLAG_ACCURATEDCT);
+    const int status = tjCompress2(
+        handle.get(), image.bytes.data(), image.width, image.width * image.channels, image.height,
+        image.channels == 4 ? TJPF_RGBX : TJPF_RGB, &buffer, &length, effort.halved ? TJSAMP_420 : TJSAMP_444,
+        effort.quality, effort.halved ? TJFLAG_FASTDCT : TJFLAG_ACCURATEDCT);
     const std::unique_ptr<unsigned char, decltype(&tjFree)> owner(buffer, &tjFree);
     if (status != 0)
         throw std::bad_alloc();

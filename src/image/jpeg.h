@@ -25,8 +25,13 @@ CodeImage decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& na
 /// Throws Error(bad_input).
 ImageInfo inspect_jpeg(std::span<const std::uint8_t> bytes, const std::string& name);
 
-/// A valid 8-bit image as a JPEG of quality 95 without chroma subsampling; alpha is dropped.
-/// Throws std::bad_alloc only.
-std::vector<std::uint8_t> encode_jpeg(const CodeImage& image);
+/// The trade of looks against size of encode_jpeg. The default is for pictures to keep.
+struct JpegEffort {
+    int quality = 95;    ///< 1 to 100
+    bool halved = false; ///< half as many places for colour across and down, and faster arithmetic
+};
+
+/// A valid 8-bit image as a JPEG; alpha is dropped. Throws std::bad_alloc only.
+std::vector<std::uint8_t> encode_jpeg(const CodeImage& image, const JpegEffort& effort = {});
 
 } // namespace lambent::image

@@ -51,6 +51,16 @@ TEST(Arguments, SplitSumIsFewSamplesWhateverTheirNumber)
     EXPECT_EQ(render({"--samples", "100", "--ibl", "sampled"}).settings.samples, 100);
 }
 
+TEST(Arguments, ATargetNeedsADistance)
+{
+    const RenderArguments a = render({"--camera", "10,20,3", "--target", "-1,2,-3"});
+    EXPECT_EQ(a.target, glm::vec3(-1.0f, 2.0f, -3.0f));
+    EXPECT_FALSE(render({"--camera", "10,20,3"}).target);
+    EXPECT_NE(render_refusal({"--camera", "10,20", "--target", "1,2,3"}), "");
+    EXPECT_NE(render_refusal({"--target", "1,2,3"}), "");
+    EXPECT_NE(render_refusal({"--camera", "10,20,3", "--target", "1,2"}), "");
+}
+
 TEST(Arguments, DefaultsAreTheContracts)
 {
     const RenderArguments a = render({});

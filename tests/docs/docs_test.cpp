@@ -61,6 +61,17 @@ std::vector<Command> commands(const fs::path& page)
 // Files that commands read: two that are there, and what commands before them wrote.
 const std::set<std::string> inputs = {"model.glb", "panorama.hdr", "picture.exr", "reference.exr"};
 
+// A server at any free port, ended as soon as it says where it is.
+Outcome run_server(const Folder& folder, const Command& command)
+{
+    std::string line = std::string("'") + LAMBENT_PROGRAM + "'";
+    for (const std::string& word : command)
+        line += " '" + word + "'";
+    line += " --port 0 >\"$0\" & pid=$!; while kill -0 $pid && ! grep -q http \"$0\"; do sleep 0.05; done; "
+            "kill -INT $pid; wait $pid";
+    return testing::run_program("/bin/sh", {"-c", line, folder.path("address")});
+}
+
 // Runs a command with the files it names in the folder; the last word of those after -o is returned.
 fs::path run_in(const Folder& folder, Command command)
 {
@@ -72,7 +83,8 @@ fs::path run_in(const Folder& folder, Command command)
         else if (inputs.contains(word))
             word = folder.path(word);
     }
-    const Outcome outcome = testing::run_program(LAMBENT_PROGRAM, command);
+    const Outcome outcome = command.at(0) == "serve" ? run_server(folder, command)
+                                                     : testing::run_program(LAMBENT_PROGRAM, command);
     EXPECT_EQ(outcome.code, 0) << outcome.error;
     EXPECT_EQ(outcome.error, "");
     if (!output.empty()) {
@@ -193,6 +205,7 @@ TEST(Docs, CliListsEveryOptionAndNoOther)
                                    {"reference", "--help"},
                                    {"compare", "--help"},
                                    {"report", "--help"},
+                                   {"serve", "--help"},
                                    {"env", "--help"},
                                    {"info", "--help"}})
         real.merge(options_in(testing::run_program(LAMBENT_PROGRAM, command).output));

@@ -4,6 +4,7 @@
 #include "apps/cli/compare_grammar.h"
 #include "apps/cli/grammar.h"
 #include "apps/cli/report_grammar.h"
+#include "apps/cli/serve_grammar.h"
 #include "apps/cli/values.h"
 #include "apps/cli/version.h"
 #include "base/error.h"
@@ -22,7 +23,7 @@ namespace {
 
 // Words as given; CLI11 fills these, and an empty one was not given.
 struct Words : CommonWords {
-    std::string size, camera, fov, aa;
+    std::string size, camera, target, fov, aa;
     std::string rotation, background, ambient, ibl, samples;
     std::string model, mip_level, alpha, kd, ks, density;
     std::string exposure, contrast, tone, space;
@@ -37,6 +38,8 @@ void add_view(CLI::App& app, RenderArguments& arguments, Words& words)
     option(app, "--size", words.size, "WxH", "Picture size in pixels (1280x720)");
     option(app, "--camera", words.camera, "AZ,EL[,DIST]",
            "Degrees around and above the scene, metres from its middle (frames it)");
+    option(app, "--target", words.target, "X,Y,Z",
+           "The point that --camera, with a distance, is around, metres (the scene's middle)");
     option(app, "--camera-node", arguments.camera_node, "NAME", "A camera of the glTF");
     option(app, "--fov", words.fov, "DEG", "Vertical field of view (45)");
     option(app, "--aa", words.aa, "N", "Samples per pixel where surfaces end (4)");
@@ -97,6 +100,11 @@ void apply_view(const Words& words, RenderArguments& arguments)
         throw Error(Failure::usage, "--camera and --camera-node exclude each other");
     if (!words.camera.empty())
         arguments.orbit = parse_orbit(words.camera, "--camera");
+    if (!words.target.empty()) {
+        if (!arguments.orbit || arguments.orbit->distance <= 0.0f)
+            throw Error(Failure::usage, "--target: only with --camera AZ,EL,DIST");
+        arguments.target = parse_point(words.target, "--target");
+    }
     if (!words.fov.empty())
         arguments.vertical_fov = radians(number_in(words.fov, "--fov", 0.1, 175.0));
     if (!words.aa.empty())
@@ -249,6 +257,7 @@ struct Grammar {
     BakeGrammar bake;
     CompareGrammar compare;
     ReportGrammar report;
+    ServeGrammar serve;
     CLI::App* render_command = nullptr;
     CLI::App* reference_command = nullptr;
     CLI::App* env_command = nullptr;
@@ -265,6 +274,7 @@ struct Grammar {
         add_reference();
         compare.add(app);
         report.add(app);
+        serve.add(app);
         add_env();
         add_info();
     }
@@ -350,6 +360,8 @@ struct Grammar {
             return compare.result();
         if (report.parsed())
             return report.result();
+        if (serve.parsed())
+            return serve.result();
         if (env_command->parsed())
             return finished(words, env);
         info.common = common_options(words);

@@ -8,6 +8,8 @@
 #include "image/cube_files.h"
 #include "scene/builtin.h"
 
+#include <glm/vec3.hpp>
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -37,6 +39,7 @@ struct RenderArguments {
     std::string layers; ///< folder; empty: none
     draw::Settings settings;
     std::optional<view::Orbit> orbit; ///< unset: the default view, or camera_node
+    std::optional<glm::vec3> target;  ///< what the orbit is around; unset: the scene's middle
     std::string camera_node;
     float vertical_fov = 0.7853982f;
     display::Settings display;
@@ -108,6 +111,17 @@ struct ReportArguments {
     bool cache = true;             ///< of environments
 };
 
+struct ServeArguments {
+    CommonOptions common;
+    std::string scene;
+    std::string environment = "kitchen";
+    std::string host = "127.0.0.1"; ///< an address, or localhost
+    std::uint16_t port = 8080;      ///< 0: any that is free
+    std::string token;              ///< empty: none
+    int sessions = 8;               ///< at once
+    bool cache = true;              ///< of environments
+};
+
 struct EnvArguments {
     CommonOptions common;
     std::string name;
@@ -126,8 +140,9 @@ struct PrintText {
     std::string text;
 };
 
-using Arguments = std::variant<PrintText, RenderArguments, BakeArguments, ReferenceArguments,
-                               CompareArguments, ReportArguments, EnvArguments, InfoArguments>;
+using Arguments =
+    std::variant<PrintText, RenderArguments, BakeArguments, ReferenceArguments, CompareArguments,
+                 ReportArguments, ServeArguments, EnvArguments, InfoArguments>;
 
 /// Throws Error(usage) with one line for whatever is wrong.
 Arguments parse_arguments(int count, const char* const* words);

@@ -4,6 +4,8 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "image/image_io.h"
+#include "image/jpeg.h"
+#include "image/png.h"
 
 #include <algorithm>
 
@@ -44,10 +46,25 @@ void write_picture(const image::RadianceImage& picture, const display::Settings&
     const image::FileKind kind = image::file_kind(path);
     if (kind == image::FileKind::exr || kind == image::FileKind::hdr)
         image::write_radiance(picture, path);
-    else if (kind == image::FileKind::png && transparent)
-        image::write_codes(with_alpha(picture, display), path);
     else
-        image::write_codes(display::to_codes(picture, display), path);
+        image::write_codes(picture_codes(picture, display, transparent && kind == image::FileKind::png),
+                           path);
+}
+
+image::CodeImage picture_codes(const image::RadianceImage& picture, const display::Settings& display,
+                               bool transparent)
+{
+    return transparent ? with_alpha(picture, display) : display::to_codes(picture, display);
+}
+
+std::vector<std::uint8_t> picture_bytes(const image::RadianceImage& picture, const display::Settings& display,
+                                        bool transparent, const std::filesystem::path& path)
+{
+    const bool png = image::file_kind(path) == image::FileKind::png;
+    if (!png && image::file_kind(path) != image::FileKind::jpeg)
+        throw Error(Failure::usage, text(path.string(), ": codes are written as .png or .jpg"));
+    const image::CodeImage codes = picture_codes(picture, display, transparent && png);
+    return png ? image::encode_png(codes) : image::encode_jpeg(codes);
 }
 
 } // namespace lambent::cli

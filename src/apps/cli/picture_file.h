@@ -4,7 +4,9 @@
 #include "display/display.h"
 #include "image/image.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <vector>
 
 namespace lambent::cli {
 
@@ -16,5 +18,13 @@ void check_picture_file(const std::filesystem::path& path);
 /// coverage as alpha, and colours that are not multiplied by it.
 void write_picture(const image::RadianceImage& picture, const display::Settings& display, bool transparent,
                    const std::filesystem::path& path);
+
+/// A picture as displayed; `transparent` as above: RGBA codes.
+image::CodeImage picture_codes(const image::RadianceImage& picture, const display::Settings& display,
+                               bool transparent);
+
+/// What write_picture writes into a .png or .jpg. Throws Error(usage) for a name that ends otherwise.
+std::vector<std::uint8_t> picture_bytes(const image::RadianceImage& picture, const display::Settings& display,
+                                        bool transparent, const std::filesystem::path& path);
 
 } // namespace lambent::cli

@@ -5,8 +5,6 @@
 #include "scene/gltf.h"
 
 namespace lambent::cli {
-namespace {
-
 // Charts are looked at from the front; everything else three quarters from the front, a little from above.
 view::Orbit default_orbit(const std::string& scene)
 {
@@ -16,8 +14,6 @@ view::Orbit default_orbit(const std::string& scene)
         return {0.0f, radians(20.0), 0.0f};
     return {radians(30.0), radians(20.0), 0.0f};
 }
-
-} // namespace
 
 scene::Scene load_scene(const RenderArguments& arguments, Warnings& warnings)
 {
@@ -35,10 +31,17 @@ view::Camera choose_camera(const RenderArguments& arguments, const scene::Scene&
         throw Error(Failure::usage, text("--camera-node: ", arguments.scene, " has no camera '",
                                          arguments.camera_node, "' (it has ", scene.cameras.size(), ")"));
     }
+    return orbit_asked(arguments, scene::bounds(scene));
+}
+
+view::Camera orbit_asked(const RenderArguments& arguments, const scene::Bounds& bounds)
+{
     const float aspect =
         static_cast<float>(arguments.settings.width) / static_cast<float>(arguments.settings.height);
-    return view::orbit_camera(scene::bounds(scene), arguments.orbit.value_or(default_orbit(arguments.scene)),
-                              arguments.vertical_fov, aspect);
+    const view::Orbit orbit = arguments.orbit.value_or(default_orbit(arguments.scene));
+    const scene::Bounds around =
+        arguments.target ? scene::Bounds{*arguments.target, *arguments.target} : bounds;
+    return view::orbit_camera(around, orbit, arguments.vertical_fov, aspect);
 }
 
 } // namespace lambent::cli

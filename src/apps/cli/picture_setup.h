@@ -10,6 +10,12 @@ namespace lambent::cli {
 /// The built-in scene or the file. Throws as scene::load_gltf.
 scene::Scene load_scene(const RenderArguments& arguments, Warnings& warnings);
 
+/// The orbit or default view asked for of a scene in this box, whatever the camera node.
+view::Camera orbit_asked(const RenderArguments& arguments, const scene::Bounds& bounds);
+
+/// From where a scene is looked at when nothing is said: the distance is 0.
+view::Orbit default_orbit(const std::string& scene);
+
 /// The camera node, orbit or default view asked for. Throws Error(usage) for a camera node that is not there.
 view::Camera choose_camera(const RenderArguments& arguments, const scene::Scene& scene);
 

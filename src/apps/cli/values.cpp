@@ -96,6 +96,11 @@ glm::vec3 parse_color(const std::string& word, const std::string& option)
     return color;
 }
 
+glm::vec3 parse_point(const std::string& word, const std::string& option)
+{
+    return vec3_at(parse_list(word, {3, 3}, option), 0);
+}
+
 view::Orbit parse_orbit(const std::string& word, const std::string& option)
 {
     const std::vector<double> numbers = parse_list(word, {2, 3}, option);

@@ -30,6 +30,9 @@ std::vector<double> parse_list(const std::string& word, Count count, const std::
 /// "R,G,B", none negative. Throws Error(usage).
 glm::vec3 parse_color(const std::string& word, const std::string& option);
 
+/// "X,Y,Z", metres. Throws Error(usage).
+glm::vec3 parse_point(const std::string& word, const std::string& option);
+
 /// "AZIMUTH,ELEVATION" or "AZIMUTH,ELEVATION,DISTANCE", degrees and metres. Throws Error(usage).
 view::Orbit parse_orbit(const std::string& word, const std::string& option);
 

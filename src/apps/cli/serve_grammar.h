@@ -1,0 +1,28 @@
+// The part of the command line that belongs to `lambent serve`.
+#pragma once
+
+#include "apps/cli/arguments.h"
+#include "apps/cli/grammar.h"
+
+namespace lambent::cli {
+
+/// Must outlive the parsing: CLI11 fills its members.
+class ServeGrammar {
+public:
+    /// Adds the command.
+    void add(CLI::App& app);
+
+    bool parsed() const { return command_->parsed(); }
+
+    /// Throws Error(usage).
+    ServeArguments result() const;
+
+private:
+    CLI::App* command_ = nullptr;
+    CommonWords common_;
+    ServeArguments arguments_;
+    std::string port_, sessions_;
+    bool no_cache_ = false;
+};
+
+} // namespace lambent::cli

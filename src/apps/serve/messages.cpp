@@ -1,0 +1,193 @@
+#include "apps/serve/messages.h"
+
+#include "base/error.h"
+#include "base/text.h"
+
+#include <nlohmann/json.hpp>
+
+#include <functional>
+#include <map>
+
+namespace lambent::serve {
+namespace {
+
+using nlohmann::json;
+using viewer::Eye;
+using viewer::Wish;
+
+struct Said {
+    const json& message;
+    viewer::Session& session;
+    const FileList& files;
+    std::uint64_t id;
+
+    double number(const char* name) const
+    {
+        const auto found = message.find(name);
+        if (found == message.end() || !found->is_number())
+            throw Malformed(text("'", name, "' must be a number"));
+        return found->get<double>();
+    }
+
+    std::string word(const char* name) const
+    {
+        const auto found = message.find(name);
+        if (found == message.end() || !found->is_string())
+            throw Malformed(text("'", name, "' must be text"));
+        return found->get<std::string>();
+    }
+
+    // A value for the table: pages may send numbers as numbers.
+    std::string value() const
+    {
+        const auto found = message.find("value");
+        return found != message.end() && found->is_number() ? viewer::number_word(found->get<double>())
+                                                            : word("value");
+    }
+
+    std::vector<std::string> words(const char* name) const
+    {
+        const auto found = message.find(name);
+        if (found == message.end() || !found->is_array())
+            throw Malformed(text("'", name, "' must be a list"));
+        std::vector<std::string> list;
+        for (const json& entry : *found) {
+            if (!entry.is_string())
+                throw Malformed(text("'", name, "' must be a list of texts"));
+            list.push_back(entry.get<std::string>());
+        }
+        return list;
+    }
+
+    void change(const viewer::Session::Change& change) const { session.change(id, change); }
+};
+
+double number_of(const viewer::Values& values, std::string_view name)
+{
+    return std::stod(values[name]);
+}
+
+void turn_environment(Wish& wish, double degrees)
+{
+    const double turned =
+        std::remainder(number_of(wish.values, "env-rotation") + std::fmod(degrees, 360.0), 360.0);
+    wish.values.set("env-rotation", viewer::number_word(turned));
+}
+
+using Action = std::function<void(const Said&)>;
+
+const std::map<std::string, Action, std::less<>>& actions()
+{
+    using World = Eye::World;
+    static const std::map<std::string, Action, std::less<>> actions = {
+        {"orbit",
+         [](const Said& s) {
+             const double x = s.number("x"), y = s.number("y");
+             s.change([&](Wish& wish, const World&) { wish.eye.orbit(x, y); });
+         }},
+        {"pan",
+         [](const Said& s) {
+             const double x = s.number("x"), y = s.number("y");
+             s.change([&](Wish& wish, const World& world) {
+                 wish.eye.pan(world, x, y, number_of(wish.values, "fov"));
+             });
+         }},
+        {"dolly",
+         [](const Said& s) {
+             const double by = s.number("by");
+             s.change([&](Wish& wish, const World& world) { wish.eye.dolly(world, by); });
+         }},
+        {"turn",
+         [](const Said& s) {
+             const double by = s.number("by");
+             s.change([&](Wish& wish, const World&) { turn_environment(wish, by); });
+         }},
+        {"set",
+         [](const Said& s) {
+             const std::string name = s.word("name"), value = s.value();
+             s.change([&](Wish& wish, const World&) { wish.values.set(name, value); });
+         }},
+        {"lights",
+         [](const Said& s) {
+             const std::vector<std::string> list = s.words("list");
+             s.change([&](Wish& wish, const World&) { viewer::set_lights(wish, list); });
+         }},
+        {"size",
+         [](const Said& s) {
+             const double width = s.number("width"), height = s.number("height");
+             s.change([&](Wish& wish, const World&) { viewer::set_size(wish, width, height); });
+         }},
+        {"focus", [](const Said& s) { s.session.focus(s.number("x"), s.number("y")); }},
+        {"reset", [](const Said& s) { s.session.reset(s.id); }},
+        {"save", [](const Said& s) { s.session.save(s.word("kind")); }},
+        {"scene",
+         [](const Said& s) {
+             const std::string name = s.word("name");
+             s.files.check_scene(name);
+             s.session.open_scene(name);
+         }},
+        {"environment",
+         [](const Said& s) {
+             const std::string name = s.word("name");
+             s.files.check_environment(name);
+             s.session.open_environment(name);
+         }},
+    };
+    return actions;
+}
+
+std::string dumped(const nlohmann::ordered_json& message)
+{
+    return message.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+} // namespace
+
+Heard hear(std::string_view message, viewer::Session& session, const FileList& files)
+{
+    const json parsed = json::parse(message, nullptr, false);
+    if (!parsed.is_object())
+        throw Malformed("a message must be a JSON object");
+    const auto what = parsed.find("do");
+    if (what == parsed.end() || !what->is_string())
+        throw Malformed("'do' must be text");
+    const std::string& name = what->get_ref<const std::string&>();
+    if (name == "seen") {
+        session.seen();
+        return Heard::seen;
+    }
+    const auto action = actions().find(name);
+    if (action == actions().end())
+        throw Malformed("'do' says nothing that is known");
+    const auto id = parsed.find("id");
+    action->second({parsed, session, files,
+                    id != parsed.end() && id->is_number_unsigned() ? id->get<std::uint64_t>() : 0});
+    return Heard::input;
+}
+
+std::string hello(const FileList& files)
+{
+    return dumped({{"type", "hello"},
+                   {"parameters", viewer::to_json(viewer::parameters())},
+                   {"scenes", files.scenes()},
+                   {"environments", files.environments()},
+                   {"most_lights", viewer::most_lights}});
+}
+
+std::string error_message(const std::string& line)
+{
+    return dumped({{"type", "error"}, {"line", one_line(line)}});
+}
+
+std::vector<std::uint8_t> frame_message(const std::string& header, std::span<const std::uint8_t> picture)
+{
+    std::vector<std::uint8_t> bytes;
+    bytes.reserve(4 + header.size() + picture.size());
+    for (int i = 0; i < 4; ++i)
+        bytes.push_back(static_cast<std::uint8_t>(header.size() >> 8 * i));
+    bytes.insert(bytes.end(), header.begin(), header.end());
+    bytes.insert(bytes.end(), picture.begin(), picture.end());
+    return bytes;
+}
+
+} // namespace lambent::serve

@@ -1,0 +1,264 @@
+#include "apps/serve/web_viewer.h"
+
+#include "apps/serve/link.h"
+#include "apps/serve/messages.h"
+#include "base/error.h"
+#include "base/text.h"
+#include "image/jpeg.h"
+#include "image/png.h"
+
+#include <boost/asio/post.hpp>
+#include <boost/beast/core.hpp>
+#include <boost/beast/websocket.hpp>
+#include <nlohmann/json.hpp>
+
+#include <deque>
+
+namespace lambent::serve {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace websocket = beast::websocket;
+using viewer::Clock;
+using viewer::Picture;
+
+class WebViewer;
+
+// Called by the desk: encodes there and hands over to the serving thread.
+class WebPresenter : public viewer::Presenter {
+public:
+    explicit WebPresenter(asio::any_io_executor executor) : executor_(std::move(executor)) {}
+
+    /// Before the session begins, by the serving thread.
+    void set_viewer(std::weak_ptr<WebViewer> viewer) { viewer_ = std::move(viewer); }
+
+    void show(Picture picture) override;
+    void say(const std::string& state) override;
+    void save(viewer::Saved saved) override;
+
+    std::atomic<int> quality = 75;
+
+private:
+    void hand_over(std::vector<std::uint8_t> bytes, bool is_text, bool is_frame);
+
+    asio::any_io_executor executor_;
+    std::weak_ptr<WebViewer> viewer_;
+};
+
+struct Outgoing {
+    std::vector<std::uint8_t> bytes;
+    bool is_text = false, is_frame = false;
+};
+
+class WebViewer : public std::enable_shared_from_this<WebViewer> {
+public:
+    WebViewer(std::shared_ptr<House> house, beast::tcp_stream stream, Seat<int> connection)
+        : house_(std::move(house)), connection_(std::move(connection)), seat_(house_->sessions),
+          socket_(std::move(stream)), presenter_(std::make_shared<WebPresenter>(socket_.get_executor()))
+    {
+    }
+
+    ~WebViewer()
+    {
+        if (session_)
+            house_->desk.remove(session_);
+    }
+
+    void start(UpgradeRequest request)
+    {
+        const Limits& limits = house_->options.limits;
+        beast::get_lowest_layer(socket_).expires_never();
+        beast::get_lowest_layer(socket_).socket().set_option(asio::ip::tcp::no_delay(true));
+        socket_.set_option(websocket::stream_base::timeout{std::chrono::seconds(limits.request_seconds),
+                                                           std::chrono::seconds(limits.idle_seconds), true});
+        socket_.read_message_max(limits.message_bytes);
+        socket_.auto_fragment(false);
+        request_ = std::move(request);
+        socket_.async_accept(request_, [self = shared_from_this()](beast::error_code error) {
+            if (!error)
+                self->begin();
+        });
+    }
+
+    void send(Outgoing message)
+    {
+        if (ending_)
+            return;
+        backlog_ += message.bytes.size();
+        outgoing_.push_back(std::move(message));
+        if (backlog_ > house_->options.limits.backlog_bytes)
+            return hang_up();
+        if (outgoing_.size() == 1)
+            write();
+    }
+
+private:
+    void begin()
+    {
+        presenter_->set_viewer(weak_from_this());
+        session_ = std::make_shared<viewer::Session>(house_->start, house_->stock, presenter_);
+        send_text(hello(house_->files));
+        house_->desk.add(session_);
+        read();
+    }
+
+    void send_text(const std::string& message) { send({{message.begin(), message.end()}, true, false}); }
+
+    void read()
+    {
+        buffer_.clear();
+        socket_.async_read(buffer_, [self = shared_from_this()](beast::error_code error, std::size_t) {
+            if (!error)
+                self->got();
+            else
+                self->hang_up(); // also too large: the stream has said so in its closing frame
+        });
+    }
+
+    void got()
+    {
+        if (ending_)
+            return read(); // until the other side closes, too
+        if (!socket_.got_text())
+            return close(websocket::close_code::unknown_data, "messages must be text");
+        if (is_flood())
+            return close(websocket::close_code::policy_error, "too many messages");
+        try {
+            const auto bytes = buffer_.data();
+            const std::string_view message(static_cast<const char*>(bytes.data()), bytes.size());
+            if (hear(message, *session_, house_->files) == Heard::seen)
+                note_seen();
+            house_->desk.nudge();
+        } catch (const Malformed& malformed) {
+            return close(websocket::close_code::bad_payload, malformed.what());
+        } catch (const Error& error) {
+            send_text(error_message(error.what()));
+        }
+        read();
+    }
+
+    bool is_flood()
+    {
+        const Clock::time_point now = Clock::now();
+        if (now - second_ > std::chrono::seconds(1)) {
+            second_ = now;
+            heard_ = 0;
+        }
+        return ++heard_ > house_->options.limits.messages_per_second;
+    }
+
+    void note_seen()
+    {
+        if (sent_.empty())
+            return;
+        link_.seen(std::chrono::duration<double, std::milli>(Clock::now() - sent_.front()).count());
+        sent_.pop_front();
+        presenter_->quality = link_.quality();
+    }
+
+    void write()
+    {
+        const Outgoing& message = outgoing_.front();
+        if (message.is_frame)
+            sent_.push_back(Clock::now());
+        socket_.text(message.is_text);
+        socket_.async_write(asio::buffer(message.bytes),
+                            [self = shared_from_this()](beast::error_code error, std::size_t) {
+                                if (error)
+                                    self->hang_up();
+                                else
+                                    self->written();
+                            });
+    }
+
+    void written()
+    {
+        backlog_ -= outgoing_.front().bytes.size();
+        outgoing_.pop_front();
+        if (!outgoing_.empty() && !ending_)
+            write();
+    }
+
+    void close(websocket::close_code code, const std::string& reason)
+    {
+        ending_ = true;
+        session_->close();
+        // A closing frame holds at most 123 bytes of reason.
+        socket_.async_close(websocket::close_reason(code, reason.substr(0, 120)),
+                            [self = shared_from_this()](beast::error_code) {});
+    }
+
+    void hang_up()
+    {
+        ending_ = true;
+        session_->close();
+        beast::close_socket(beast::get_lowest_layer(socket_));
+    }
+
+    std::shared_ptr<House> house_;
+    Seat<int> connection_;
+    Seat<std::atomic<int>> seat_;
+    websocket::stream<beast::tcp_stream> socket_;
+    std::shared_ptr<WebPresenter> presenter_;
+    std::shared_ptr<viewer::Session> session_;
+    UpgradeRequest request_;
+    beast::flat_buffer buffer_;
+    std::deque<Outgoing> outgoing_;
+    std::size_t backlog_ = 0;
+    std::deque<Clock::time_point> sent_; ///< frames not yet seen
+    Link link_;
+    Clock::time_point second_{};
+    int heard_ = 0;
+    bool ending_ = false;
+};
+
+void WebPresenter::hand_over(std::vector<std::uint8_t> bytes, bool is_text, bool is_frame)
+{
+    asio::post(executor_,
+               [viewer = viewer_, message = Outgoing{std::move(bytes), is_text, is_frame}]() mutable {
+                   if (const std::shared_ptr<WebViewer> there = viewer.lock())
+                       there->send(std::move(message));
+               });
+}
+
+void WebPresenter::show(Picture picture)
+{
+    const bool moving = picture.kind == Picture::Kind::moving;
+    const char* const kind = moving ? "moving" : picture.kind == Picture::Kind::still ? "still" : "rest";
+    const nlohmann::ordered_json header = {{"type", "frame"},
+                                           {"kind", kind},
+                                           {"format", moving ? "jpeg" : "png"},
+                                           {"width", picture.width},
+                                           {"height", picture.height},
+                                           {"scale", picture.scale},
+                                           {"draw_ms", picture.draw_ms},
+                                           {"input", picture.input}};
+    const std::vector<std::uint8_t> bytes =
+        moving ? image::encode_jpeg(picture.codes, {quality, true}) : image::encode_png(picture.codes);
+    hand_over(frame_message(header.dump(), bytes), false, true);
+}
+
+void WebPresenter::say(const std::string& state)
+{
+    hand_over({state.begin(), state.end()}, true, false);
+}
+
+void WebPresenter::save(viewer::Saved saved)
+{
+    const nlohmann::ordered_json header = {
+        {"type", "saved"}, {"name", saved.name}, {"command", saved.command}};
+    const std::string text = header.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    hand_over(frame_message(text, saved.bytes), false, false);
+}
+
+} // namespace
+
+void start_viewer(std::shared_ptr<House> house, beast::tcp_stream stream, UpgradeRequest request,
+                  Seat<int> connection)
+{
+    std::make_shared<WebViewer>(std::move(house), std::move(stream), std::move(connection))
+        ->start(std::move(request));
+}
+
+} // namespace lambent::serve

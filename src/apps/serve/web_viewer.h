@@ -1,0 +1,18 @@
+// One browser: a session and its WebSocket.
+#pragma once
+
+#include "apps/serve/house.h"
+
+#include <boost/beast/core/tcp_stream.hpp>
+#include <boost/beast/http/empty_body.hpp>
+#include <boost/beast/http/message.hpp>
+
+namespace lambent::serve {
+
+using UpgradeRequest = boost::beast::http::request<boost::beast::http::empty_body>;
+
+/// Accepts the request and serves until either side ends it.
+void start_viewer(std::shared_ptr<House> house, boost::beast::tcp_stream stream, UpgradeRequest request,
+                  Seat<int> connection);
+
+} // namespace lambent::serve

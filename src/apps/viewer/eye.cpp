@@ -1,0 +1,97 @@
+#include "apps/viewer/eye.h"
+
+#include "apps/viewer/parameters.h"
+#include "base/text.h"
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace lambent::viewer {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180.0;
+
+bool is_empty(const scene::Bounds& bounds)
+{
+    return !(bounds.low.x <= bounds.high.x);
+}
+
+// One move cannot be more than this, whatever a client says: numbers stay finite.
+double tame(double amount, double most)
+{
+    return std::isfinite(amount) ? std::clamp(amount, -most, most) : 0.0;
+}
+
+} // namespace
+
+double radius_of(const scene::Bounds& bounds)
+{
+    if (is_empty(bounds))
+        return 1.0;
+    return std::max(0.5 * glm::length(glm::dvec3(bounds.high) - glm::dvec3(bounds.low)), 1e-6);
+}
+
+glm::dvec3 middle_of(const scene::Bounds& bounds)
+{
+    return is_empty(bounds) ? glm::dvec3(0.0) : 0.5 * (glm::dvec3(bounds.low) + glm::dvec3(bounds.high));
+}
+
+void Eye::orbit(double azimuth, double elevation)
+{
+    azimuth_ = std::remainder(azimuth_ + tame(azimuth, 360.0), 360.0);
+    elevation_ = std::clamp(elevation_ + tame(elevation, 180.0), -90.0, 90.0);
+}
+
+void Eye::pan(const World& world, double right, double up, double vertical_fov)
+{
+    fix(world);
+    const double azimuth = azimuth_ * degree, elevation = elevation_ * degree;
+    const glm::dvec3 across(std::cos(azimuth), 0.0, -std::sin(azimuth));
+    const glm::dvec3 back(std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
+                          std::cos(elevation) * std::cos(azimuth));
+    const double height = 2.0 * std::tan(0.5 * vertical_fov * degree) * *distance_;
+    look_at(world,
+            *target_ - height * (tame(right, 10.0) * across + tame(up, 10.0) * glm::cross(back, across)));
+}
+
+void Eye::dolly(const World& world, double amount)
+{
+    fix(world);
+    const double radius = radius_of(world.bounds);
+    distance_ = std::clamp(*distance_ * std::exp(tame(amount, 10.0)), EyeLimits::nearest * radius,
+                           EyeLimits::farthest * radius);
+}
+
+void Eye::look_at(const World& world, const glm::dvec3& point)
+{
+    fix(world);
+    const glm::dvec3 middle = middle_of(world.bounds);
+    const double most = EyeLimits::target * radius_of(world.bounds);
+    target_ = glm::clamp(point, middle - most, middle + most);
+}
+
+std::vector<std::string> Eye::options() const
+{
+    const std::string angles = text(number_word(azimuth_), ",", number_word(elevation_));
+    if (!distance_)
+        return {"--camera", angles};
+    return {"--camera", text(angles, ",", number_word(*distance_)), "--target",
+            text(number_word(target_->x), ",", number_word(target_->y), ",", number_word(target_->z))};
+}
+
+glm::dvec3 Eye::target(const World& world) const
+{
+    return target_.value_or(middle_of(world.bounds));
+}
+
+void Eye::fix(const World& world)
+{
+    distance_ = distance(world);
+    target_ = target(world);
+}
+
+} // namespace lambent::viewer

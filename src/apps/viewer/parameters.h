@@ -1,0 +1,66 @@
+// What can be set about a picture while it is looked at: one table, from which values are checked, pages make their
+// controls and command lines their options.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace lambent::viewer {
+
+enum class Kind {
+    number, ///< from least to most
+    whole,  ///< the same without fractions
+    choice, ///< one of the words in `choices`
+    color,  ///< "R,G,B", each from 0 to most
+};
+
+/// A row of the table. Values are words, as on the command line; an empty one is not given.
+struct Parameter {
+    std::string_view name; ///< with "--" before it the option of `lambent render`, but for `layer`
+    std::string_view label, group;
+    Kind kind = Kind::number;
+    std::string_view usual; ///< the default
+    double least = 0.0, most = 1.0;
+    bool logarithmic = false;      ///< how a control is divided
+    std::string_view choices = {}; ///< with spaces between them
+    bool phong_shapes = false;     ///< only for the model phong on built-in shapes; may be empty
+};
+
+std::span<const Parameter> parameters();
+
+/// One value for each parameter.
+class Values {
+public:
+    /// The defaults.
+    Values();
+
+    const std::string& operator[](std::string_view name) const;
+
+    /// Numbers are kept to six digits. Throws Error(usage) with one line if there is no such parameter or the word is
+    /// none of its values.
+    void set(std::string_view name, const std::string& word);
+
+    /// The options that differ from the defaults, for a scene that is built in or not.
+    std::vector<std::string> options(bool built_in) const;
+
+    bool operator==(const Values&) const = default;
+
+private:
+    std::map<std::string, std::string, std::less<>> words_;
+};
+
+/// The table with its defaults, for pages: an array of objects.
+nlohmann::ordered_json to_json(std::span<const Parameter> rows);
+
+/// The values, for pages: an object of words.
+nlohmann::ordered_json to_json(const Values& values);
+
+/// A number as a word of at most six digits.
+std::string number_word(double value);
+
+} // namespace lambent::viewer

@@ -1,0 +1,132 @@
+// One viewer: what it wants to see, and what is to be drawn next for it.
+#pragma once
+
+#include "apps/viewer/pace.h"
+#include "apps/viewer/picture.h"
+#include "apps/viewer/stock.h"
+#include "apps/viewer/wish.h"
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+namespace lambent::viewer {
+
+using Clock = std::chrono::steady_clock;
+
+/// One piece of work for the drawing thread.
+struct Plan {
+    enum class Task { moving, still, rest, save, pick };
+    Task task = Task::moving;
+    cli::RenderArguments arguments; ///< with the camera, at the size to draw
+    std::string layer;              ///< "picture", or of the frame's layers
+    std::shared_ptr<Model> model;
+    std::shared_ptr<const cli::LoadedEnvironment> environment;
+    double scale = 1.0;
+    int width = 0, height = 0;     ///< as wished
+    std::uint64_t serial = 0;      ///< of the wish
+    std::uint64_t input = 0;       ///< as Picture::input
+    std::string file, command;     ///< save
+    std::array<double, 2> place{}; ///< pick: in parts of the picture, from its top left
+};
+
+/// Inputs may come from any thread; planning and reports from the drawing thread.
+class Session {
+public:
+    static constexpr int most_in_flight = 2;
+    /// Nothing moves when there was no input for so long.
+    static constexpr std::chrono::milliseconds settle{60};
+
+    Session(Wish start, Stock& stock, std::shared_ptr<Presenter> presenter);
+
+    using Change = std::function<void(Wish&, const Eye::World&)>;
+
+    /// Changes what is wished, or nothing if `change` throws, which is passed on. `input` counts the viewer's inputs.
+    void change(std::uint64_t input, const Change& change);
+
+    /// Everything as at the start, but for the size.
+    void reset(std::uint64_t input);
+
+    /// Another scene or environment, once it is loaded; what cannot be is said in the state.
+    void open_scene(const std::string& name);
+    void open_environment(const std::string& name);
+
+    /// The surface at this place, in parts of the picture from its top left, becomes its middle.
+    void focus(double x, double y);
+
+    /// The picture as a file: "png" or "jpg". Throws Error(usage) for others, or if one is being saved.
+    void save(const std::string& kind);
+
+    /// One picture was seen: the next may come.
+    void seen();
+
+    /// Nothing more is drawn.
+    void close();
+
+    /// What is to be drawn now; if nothing, `wake` may become sooner, when to ask again.
+    std::optional<Plan> plan(Clock::time_point now, Clock::time_point& wake);
+
+    /// A plan was carried out and shown; took so long in all.
+    void done(const Plan& plan, double milliseconds);
+    void failed(const Plan& plan, const std::string& line);
+    void picked(const glm::dvec3& point, const Plan& plan);
+
+    /// Whether what is drawn by this plan is no longer wanted.
+    bool is_stale(const Plan& plan) const { return closed_ || serial_ != plan.serial; }
+
+    /// Whether a picture of something that moves is waited for.
+    bool is_hungry() const;
+
+    Presenter& presenter() { return *presenter_; }
+
+    /// What is set, what it is called on the command line, and what is wrong: JSON.
+    std::string state() const;
+
+    Wish wish() const;
+    double scale() const;
+
+private:
+    struct Opening {
+        bool is_scene = false;
+        std::string name; ///< empty: nothing is being opened
+    };
+
+    void touch(std::uint64_t input);
+    Eye::World world() const;
+    void look_for_opening();
+    bool find_things(const Wish& wish);
+    void set_error(const std::string& line);
+    std::optional<Plan::Task> task_now(Clock::time_point now, Clock::time_point& wake);
+    Plan planned(Plan::Task task);
+    std::string state_now() const;
+
+    mutable std::mutex mutex_;
+    Stock& stock_;
+    const std::shared_ptr<Presenter> presenter_;
+    const Wish start_;
+    Wish wish_;
+    Pace pace_;
+    std::shared_ptr<Model> model_;
+    std::shared_ptr<const cli::LoadedEnvironment> environment_;
+    Opening opening_;
+    std::string file_error_, error_; ///< of what is watched; of what was asked for last
+    bool pending_ = true;            ///< what is wished is still being loaded
+    bool announce_ = true;           ///< the state is to be said
+    std::string save_kind_;
+    std::optional<std::array<double, 2>> place_;
+    std::atomic<std::uint64_t> serial_ = 1, drawn_ = 0;
+    std::uint64_t still_ = 0, rest_ = 0, input_ = 0;
+    std::atomic<int> in_flight_ = 0;
+    std::atomic<bool> closed_ = false;
+    Clock::time_point last_input_{};
+};
+
+/// Where a scene is looked at from at first.
+Eye first_eye(const std::string& scene);
+
+} // namespace lambent::viewer

@@ -1,0 +1,204 @@
+#include "apps/viewer/stock.h"
+
+#include "apps/cli/picture_setup.h"
+#include "base/text.h"
+#include "draw/cpu/cpu_renderer.h"
+#include "environment/builtin.h"
+#include "scene/builtin.h"
+
+#include <chrono>
+#include <exception>
+#include <filesystem>
+#include <new>
+#include <utility>
+
+namespace lambent::viewer {
+namespace {
+
+// Changes whenever a file does; "" where there is none.
+std::string signature_of(const std::string& file)
+{
+    std::error_code error;
+    const auto time = std::filesystem::last_write_time(file, error);
+    if (error)
+        return "";
+    return text(time.time_since_epoch().count(), " ", std::filesystem::file_size(file, error));
+}
+
+std::string model_key(const cli::RenderArguments& arguments)
+{
+    const auto color = [](const std::optional<glm::vec3>& c) {
+        return c ? text(c->r, ",", c->g, ",", c->b) : std::string("-");
+    };
+    const scene::BuiltinOptions& options = arguments.builtin;
+    return text("model\n", arguments.scene, "\n", color(options.diffuse), " ", color(options.specular), " ",
+                options.exponent.value_or(0.0f), " ", options.density);
+}
+
+std::shared_ptr<void> load_model(const cli::RenderArguments& arguments)
+{
+    Warnings warnings;
+    scene::Scene scene = cli::load_scene(arguments, warnings);
+    return std::make_shared<Model>(std::move(scene), std::move(warnings));
+}
+
+} // namespace
+
+Model::Model(scene::Scene scene, Warnings warnings)
+    : scene_(std::move(scene)), bounds_(scene::bounds(scene_)), warnings_(std::move(warnings))
+{
+}
+
+draw::Renderer& Model::renderer(draw::TexelTransfer transfer)
+{
+    std::unique_ptr<draw::Renderer>& renderer = renderers_[transfer];
+    if (!renderer)
+        renderer = draw::make_cpu_renderer(scene_);
+    return *renderer;
+}
+
+Stock::Stock(bool cache) : cache_(cache), thread_([this] { work(); }) {}
+
+Stock::~Stock()
+{
+    {
+        const std::lock_guard lock(mutex_);
+        ending_ = true;
+    }
+    wake_.notify_all();
+    thread_.join();
+}
+
+void Stock::on_change(std::function<void()> changed)
+{
+    const std::lock_guard lock(mutex_);
+    changed_ = std::move(changed);
+}
+
+template <class T>
+Found<T> Stock::find(const std::string& key, const std::string& file, const Load& load)
+{
+    const std::lock_guard lock(mutex_);
+    Slot& slot = slots_[key];
+    slot.used = ++clock_;
+    if (!slot.loaded && !slot.busy && waiting_.size() < most_waiting) {
+        slot.load = load;
+        slot.file = file;
+        slot.busy = true;
+        waiting_.push_back(key);
+        wake_.notify_all();
+    }
+    return {std::static_pointer_cast<T>(slot.value), slot.error, !slot.loaded};
+}
+
+Found<Model> Stock::model(const cli::RenderArguments& arguments)
+{
+    const std::string file = scene::is_builtin(arguments.scene) ? "" : arguments.scene;
+    return find<Model>(model_key(arguments), file, [arguments] { return load_model(arguments); });
+}
+
+Found<const cli::LoadedEnvironment> Stock::environment(const std::string& name)
+{
+    const std::string file = name == "none" || environment::is_builtin(name) ? "" : name;
+    return find<const cli::LoadedEnvironment>(text("environment\n", name), file, [name, cache = cache_] {
+        return std::make_shared<cli::LoadedEnvironment>(cli::load_environment(name, cache));
+    });
+}
+
+Stock::Slot& Stock::wait_for(const std::string& key, std::unique_lock<std::mutex>& lock)
+{
+    done_.wait(lock, [&] { return slots_[key].loaded; });
+    Slot& slot = slots_[key];
+    if (!slot.error.empty())
+        throw Error(slot.failure, slot.error);
+    return slot;
+}
+
+void Stock::load(const cli::RenderArguments& arguments)
+{
+    // Asked for again while others' wishes fill the queue; at a program's start there are none.
+    model(arguments);
+    environment(arguments.environment);
+    std::unique_lock lock(mutex_);
+    wait_for(model_key(arguments), lock);
+    wait_for(text("environment\n", arguments.environment), lock);
+}
+
+void Stock::work()
+{
+    std::unique_lock lock(mutex_);
+    while (!ending_) {
+        if (waiting_.empty()) {
+            wake_.wait_for(lock, std::chrono::milliseconds(watch_ms));
+            look_at_files();
+        } else {
+            load_one(lock);
+        }
+    }
+}
+
+void Stock::load_one(std::unique_lock<std::mutex>& lock)
+{
+    const std::string key = waiting_.front();
+    waiting_.pop_front();
+    const Load load = slots_[key].load;
+    const std::string file = slots_[key].file;
+    lock.unlock();
+    // Before the loading: what is written meanwhile is loaded again.
+    const std::string signature = file.empty() ? "" : signature_of(file);
+    Thing value;
+    std::string problem;
+    Failure failure = Failure::bad_input;
+    try {
+        value = load();
+    } catch (const Error& error) {
+        problem = one_line(error.what());
+        failure = error.failure();
+    } catch (const std::bad_alloc&) {
+        problem = text(file, ": not enough memory");
+        failure = Failure::no_device;
+    } catch (const std::exception& error) {
+        problem = one_line(error.what());
+    }
+    lock.lock();
+    Slot& slot = slots_[key];
+    if (value)
+        slot.value = std::move(value);
+    slot.error = std::move(problem);
+    slot.failure = failure;
+    slot.signature = signature;
+    slot.loaded = true;
+    slot.busy = false;
+    drop_unused();
+    done_.notify_all();
+    const std::function<void()> changed = changed_;
+    lock.unlock();
+    if (changed)
+        changed();
+    lock.lock();
+}
+
+void Stock::look_at_files()
+{
+    for (auto& [key, slot] : slots_)
+        if (slot.loaded && !slot.busy && !slot.file.empty() && signature_of(slot.file) != slot.signature) {
+            slot.busy = true;
+            waiting_.push_back(key);
+        }
+}
+
+void Stock::drop_unused()
+{
+    while (slots_.size() > most_kept) {
+        auto oldest = slots_.end();
+        for (auto i = slots_.begin(); i != slots_.end(); ++i)
+            if (!i->second.busy && i->second.value.use_count() <= 1 &&
+                (oldest == slots_.end() || i->second.used < oldest->second.used))
+                oldest = i;
+        if (oldest == slots_.end() || oldest->second.used == clock_)
+            return;
+        slots_.erase(oldest);
+    }
+}
+
+} // namespace lambent::viewer

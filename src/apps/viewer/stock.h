@@ -1,0 +1,104 @@
+// Scenes and environments, shared by all viewers: loaded in a thread of their own, loaded again when files change.
+#pragma once
+
+#include "apps/cli/arguments.h"
+#include "apps/cli/load_environment.h"
+#include "draw/renderer.h"
+#include "scene/scene.h"
+
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace lambent::viewer {
+
+/// A scene ready to be drawn. Immutable but for renderer(), which one thread alone may call.
+class Model {
+public:
+    Model(scene::Scene scene, Warnings warnings);
+
+    const scene::Scene& scene() const { return scene_; }
+    const scene::Bounds& bounds() const { return bounds_; }
+    const Warnings& warnings() const { return warnings_; }
+
+    /// One for each transfer, made when first asked for, as each keeps textures of its own.
+    draw::Renderer& renderer(draw::TexelTransfer transfer);
+
+private:
+    scene::Scene scene_;
+    scene::Bounds bounds_;
+    Warnings warnings_;
+    std::map<draw::TexelTransfer, std::unique_ptr<draw::Renderer>> renderers_;
+};
+
+/// What is there of something asked for. After a file changed `value` is the old one until the new one is loaded, and
+/// stays it, with the reason as `error`, if that cannot be.
+template <class T>
+struct Found {
+    std::shared_ptr<T> value;
+    std::string error;    ///< one line; empty: none
+    bool pending = false; ///< it is being loaded
+};
+
+/// Safe for many threads.
+class Stock {
+public:
+    /// `cache`: of environments, in the user's folder.
+    explicit Stock(bool cache);
+    Stock(const Stock&) = delete;
+    Stock& operator=(const Stock&) = delete;
+    ~Stock();
+
+    /// Called, from the loading thread, whenever something asked for was loaded or failed to.
+    void on_change(std::function<void()> changed);
+
+    /// The scene that the arguments name, with their options for built-in shapes. Never waits.
+    Found<Model> model(const cli::RenderArguments& arguments);
+
+    /// The environment of this name. Never waits.
+    Found<const cli::LoadedEnvironment> environment(const std::string& name);
+
+    /// Waits until both were loaded. Throws Error if one could not be.
+    void load(const cli::RenderArguments& arguments);
+
+    /// How often files are looked at, and how much is kept that nobody looks at.
+    static constexpr int watch_ms = 300, most_kept = 6, most_waiting = 8;
+
+private:
+    using Thing = std::shared_ptr<void>;
+    using Load = std::function<Thing()>;
+    struct Slot {
+        Thing value;
+        std::string error, file, signature; ///< of the file when it was loaded; no file: built-in
+        Failure failure = Failure::bad_input;
+        Load load;
+        bool loaded = false, busy = false;
+        std::uint64_t used = 0;
+    };
+
+    template <class T>
+    Found<T> find(const std::string& key, const std::string& file, const Load& load);
+    Slot& wait_for(const std::string& key, std::unique_lock<std::mutex>& lock);
+    void work();
+    void load_one(std::unique_lock<std::mutex>& lock);
+    void look_at_files();
+    void drop_unused();
+
+    bool cache_;
+    std::mutex mutex_;
+    std::condition_variable wake_, done_;
+    std::map<std::string, Slot> slots_;
+    std::deque<std::string> waiting_;
+    std::function<void()> changed_;
+    std::uint64_t clock_ = 0;
+    bool ending_ = false;
+    std::thread thread_; ///< last: it uses the others
+};
+
+} // namespace lambent::viewer

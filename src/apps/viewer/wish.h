@@ -1,0 +1,43 @@
+// What one viewer wants to see, as the command that draws it.
+#pragma once
+
+#include "apps/cli/arguments.h"
+#include "apps/viewer/eye.h"
+#include "apps/viewer/parameters.h"
+
+#include <string>
+#include <vector>
+
+namespace lambent::viewer {
+
+struct Wish {
+    std::string scene, environment = "kitchen";
+    Values values;
+    Eye eye;
+    std::vector<std::string> lights; ///< words of --light, checked
+    int width = 1280, height = 720;
+};
+
+/// At most this many lights, and this many pixels in a picture.
+constexpr std::size_t most_lights = 16;
+constexpr int most_pixels = 2560 * 1600;
+
+/// Checks the words and takes them. Throws Error(usage) with one line.
+void set_lights(Wish& wish, const std::vector<std::string>& lights);
+
+/// Sides are cut to what may be drawn: from 16 pixels to most_pixels in all, in the proportion asked for.
+void set_size(Wish& wish, double width, double height);
+
+/// "render", the scene and the options, without an output.
+std::vector<std::string> words_of(const Wish& wish);
+
+/// The command that writes the picture, for a POSIX shell.
+std::string command_of(const Wish& wish, const std::string& output);
+
+/// The words as `lambent` understands them: a picture drawn from this is the command's. Throws Error(usage).
+cli::RenderArguments arguments_of(const Wish& wish);
+
+/// A word for a POSIX shell, in quotes where it needs them.
+std::string shell_quoted(const std::string& word);
+
+} // namespace lambent::viewer

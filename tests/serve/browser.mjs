@@ -1,0 +1,239 @@
+// Opens the viewer in Chromium and checks that it works for whoever comes to it. node browser.mjs PROGRAM
+// One line for each check, stops at the first that fails. Exits with 77, which skips the test, where the
+// browser or its package is missing; with LAMBENT_REQUIRE_BROWSER in the environment it fails instead.
+import assert from 'node:assert/strict';
+import { execFileSync, spawn } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+
+function missing(what) {
+    const isRequired = Boolean(process.env.LAMBENT_REQUIRE_BROWSER);
+    console.log(`${isRequired ? 'missing' : 'skipped'}: ${what}`);
+    process.exit(isRequired ? 1 : 77);
+}
+
+async function startBrowser() {
+    let found;
+    try {
+        found = createRequire(new URL('../report/package.json', import.meta.url)).resolve('playwright-core');
+    } catch {
+        missing('no playwright-core; `node tests/support/fetch.mjs tests/report` gets it');
+    }
+    const module = await import(pathToFileURL(found));
+    const { chromium } = module.chromium ? module : module.default;
+    const places = [process.env.CHROMIUM ?? '', '/usr/bin/chromium', '/usr/bin/chromium-browser'];
+    const executablePath = places.find(existsSync);
+    if (!executablePath) missing('no Chromium (Debian package chromium)');
+    // Chromium's sandbox does not start for root.
+    return chromium.launch({ executablePath, args: process.getuid() === 0 ? ['--no-sandbox'] : [] });
+}
+
+// The address that a server prints when it is ready.
+function startServer(program, words) {
+    const server = spawn(program, ['serve', ...words], { stdio: ['ignore', 'pipe', 'inherit'] });
+    return new Promise((done, fail) => {
+        server.stdout.once('data', line => done({ server, address: String(line).trim() }));
+        server.once('exit', code => fail(new Error(`the server ended with ${code}`)));
+    });
+}
+
+const program = resolve(process.argv[2]);
+const folder = mkdtempSync(join(tmpdir(), 'lambent-serve-'));
+const browser = await startBrowser();
+const { server, address } = await startServer(program, ['grid', '--port', '0', '--quiet']);
+
+// Calls use(page, context) with a fresh page that shows its first picture at rest; nothing may be complained of.
+async function open({ width = 900, height = 400, ...options }, use) {
+    const context = await browser.newContext({ viewport: { width, height }, acceptDownloads: true, ...options });
+    const page = await context.newPage(), troubles = [];
+    page.on('console', message => {
+        if (['error', 'warning'].includes(message.type())) troubles.push(`console: ${message.text()}`);
+    });
+    page.on('pageerror', error => troubles.push(`script: ${error.message}`));
+    page.on('request', request => {
+        if (!request.url().startsWith(address) && !/^(data|blob):/.test(request.url()))
+            troubles.push(`asked for ${request.url()}`);
+    });
+    await page.goto(address);
+    await rest(page, 1);
+    await use(page, context);
+    assert.deepEqual(troubles, []);
+    await context.close();
+}
+
+// Waits for a picture at rest that shows this many inputs.
+const rest = (page, inputs) => page.waitForFunction(wanted => {
+    const { kind, input } = document.getElementById('picture').dataset;
+    return kind === 'rest' && Number(input) >= wanted;
+}, inputs, { timeout: 30000 });
+
+// What the page has said so far is shown: nothing is on its way any more.
+async function settled(page) {
+    await page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done))));
+    await rest(page, await page.evaluate('inputs'));
+}
+
+const pixels = page => page.evaluate(() => {
+    const { width, height } = canvas;
+    const copy = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
+    copy.drawImage(canvas, 0, 0);
+    const { data } = copy.getImageData(0, 0, width, height);
+    let sum = 0, hash = 0;
+    for (let i = 0; i < data.length; i += 4) {
+        sum += data[i] + data[i + 1] + data[i + 2];
+        hash = (hash * 31 + data[i] * 65536 + data[i + 1] * 256 + data[i + 2]) % 4294967291;
+    }
+    return { width, height, mean: sum / (width * height * 3), hash };
+});
+
+const camera = async page => (await page.inputValue('#command')).match(/--camera (\S+)/)[1].split(',').map(Number);
+
+async function drag(page, from, to, options = {}) {
+    await page.mouse.move(...from);
+    await page.mouse.down(options);
+    for (let i = 1; i <= 8; ++i)
+        await page.mouse.move(...from.map((start, axis) => start + (to[axis] - start) * i / 8));
+    await page.mouse.up(options);
+    await settled(page);
+}
+
+async function slide(page, id, keys, times) {
+    await page.focus(id);
+    for (let i = 0; i < times; ++i) await page.keyboard.press(keys);
+    await settled(page);
+}
+
+const checks = {
+    'the page loads and shows the scene': () => open({}, async page => {
+        assert.equal(await page.title(), 'grid - lambent');
+        const { width, height, mean } = await pixels(page);
+        const box = await page.locator('#picture').boundingBox();
+        assert.deepEqual([width, height], [box.width, box.height]);
+        assert.ok(mean > 20 && mean < 235, `mean ${mean}`);
+    }),
+    'dragging turns, shifts and turns the light': () => open({}, async page => {
+        const before = await pixels(page), [azimuth, elevation] = await camera(page);
+        await drag(page, [200, 200], [280, 160]);
+        const [turned, raised] = await camera(page);
+        assert.ok(turned < azimuth - 10 && raised < elevation - 5, `${turned} ${raised}`);
+        assert.notEqual((await pixels(page)).hash, before.hash);
+        await drag(page, [200, 200], [260, 200], { button: 'right' });
+        assert.match(await page.inputValue('#command'), /--target \S+/);
+        await page.keyboard.down('Shift');
+        await drag(page, [200, 200], [260, 200]);
+        await page.keyboard.up('Shift');
+        assert.match(await page.inputValue('#command'), /--env-rotation \d/);
+        await page.click('#reset');
+        await settled(page);
+        assert.equal((await pixels(page)).hash, before.hash);
+    }),
+    'the wheel goes nearer, a double click looks at a point': () => open({}, async page => {
+        await page.mouse.move(190, 200);
+        await page.mouse.wheel(0, -300);
+        await settled(page);
+        const near = (await camera(page))[2];
+        await page.mouse.wheel(0, 600);
+        await settled(page);
+        assert.ok((await camera(page))[2] > near * 1.5);
+        const target = async () => (await page.inputValue('#command')).match(/--target (\S+)/)[1];
+        const before = await target();
+        const box = await page.locator('#picture').boundingBox();
+        await page.mouse.dblclick(box.x + box.width / 2, box.y + box.height / 2); // on the middle sphere
+        await page.waitForFunction(old => !document.getElementById('command').value.includes(`--target ${old} `), before);
+        assert.notEqual(await target(), before);
+    }),
+    'keys turn, list themselves and hide the controls': () => open({}, async page => {
+        await page.focus('#picture');
+        const [azimuth] = await camera(page);
+        await page.keyboard.press('ArrowRight');
+        await settled(page);
+        assert.ok((await camera(page))[0] > azimuth + 4);
+        await page.keyboard.press('?');
+        assert.ok(await page.locator('#help').isVisible());
+        await page.keyboard.press('Escape');
+        await page.keyboard.press('p');
+        assert.ok(!await page.locator('#panel').isVisible());
+    }),
+    'controls do what they say': () => open({}, async page => {
+        const before = await pixels(page);
+        await slide(page, '#set-exposure', 'ArrowRight', 60);
+        assert.ok((await pixels(page)).mean > before.mean * 1.1);
+        await page.selectOption('#set-layer', 'normal');
+        await settled(page);
+        const normal = await pixels(page);
+        await page.selectOption('#set-layer', 'picture');
+        await page.selectOption('#set-model', 'phong');
+        await page.click('#add-directional');
+        await settled(page);
+        assert.notEqual((await pixels(page)).hash, normal.hash);
+        assert.ok(await page.locator('#set-alpha').isVisible());
+        assert.match(await page.inputValue('#command'), /--model phong .*--light directional:45,45,2,2,2/);
+        await page.click('text=Remove sun 1');
+        await settled(page);
+        assert.doesNotMatch(await page.inputValue('#command'), /--light/);
+        await page.selectOption('#environment', 'studio');
+        await page.waitForFunction(() => document.getElementById('command').value.includes('--env studio'));
+    }),
+    'every control has a name': () => open({}, async page => {
+        const nameless = await page.evaluate(() => [...document.querySelectorAll('input, select, textarea, button')]
+            .filter(control => !control.labels?.length && !control.ariaLabel && !control.textContent.trim())
+            .map(control => control.outerHTML));
+        assert.deepEqual(nameless, []);
+    }),
+    'a saved picture is what the shown command writes': () => open({ width: 600, height: 300 }, async page => {
+        await drag(page, [100, 100], [180, 140]);
+        await page.selectOption('#set-tone', 'agx');
+        await settled(page);
+        const command = await page.inputValue('#command');
+        const [download] = await Promise.all([page.waitForEvent('download'), page.click('#save-png')]);
+        assert.equal(download.suggestedFilename(), 'picture.png');
+        const saved = readFileSync(await download.path());
+        execFileSync('/bin/sh', ['-c', command.replace(/^lambent/, `'${program}'`)], { cwd: folder });
+        assert.ok(saved.equals(readFileSync(join(folder, 'picture.png'))), command);
+    }),
+    'three browsers at once, one of them stalled': async () => {
+        await open({}, async stalled => {
+            // Its page is busy for ever as far as the others can tell.
+            stalled.evaluate(() => { for (const end = performance.now() + 6000; performance.now() < end;); }).catch(() => {});
+            await open({}, one => open({}, async two => {
+                const still = await pixels(one);
+                const start = Date.now();
+                await drag(two, [200, 200], [280, 160]);
+                assert.ok(Date.now() - start < 5000);
+                assert.equal((await pixels(one)).hash, still.hash, 'each has its own camera');
+                assert.notEqual((await pixels(two)).hash, still.hash);
+            }));
+        });
+    },
+    'a telephone shows picture and controls': () => open({ width: 390, height: 800, hasTouch: true, isMobile: true }, async page => {
+        const picture = await page.locator('#picture').boundingBox(), panel = await page.locator('#panel').boundingBox();
+        assert.ok(picture.height > 300 && panel.height > 200 && panel.y >= picture.y + picture.height - 1);
+        assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+    }),
+};
+
+try {
+    for (const [name, check] of Object.entries(checks)) {
+        try {
+            await check();
+        } catch (error) {
+            console.log(`FAILED ${name}`);
+            throw error;
+        }
+        console.log(`ok ${name}`);
+    }
+    const ended = new Promise(done => server.once('exit', done));
+    server.kill('SIGINT');
+    assert.equal(await ended, 0);
+    console.log('ok the server ends');
+} catch (error) {
+    console.error(error);
+    process.exitCode = 1;
+} finally {
+    server.kill('SIGKILL');
+    await browser.close();
+    rmSync(folder, { recursive: true });
+}

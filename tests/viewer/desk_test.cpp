@@ -1,0 +1,275 @@
+// Sessions at the desk: what they are shown is what `lambent render` draws, each gets its turn, and nothing waits for
+// somebody who does not look.
+#include "apps/viewer/desk.h"
+#include "base/file.h"
+#include "image/image_io.h"
+#include "tests/support/process.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <condition_variable>
+#include <deque>
+#include <fstream>
+
+namespace lambent::viewer {
+namespace {
+
+// Keeps what it is shown; waits for it.
+class Audience : public Presenter {
+public:
+    void show(Picture picture) override { keep(pictures, std::move(picture)); }
+    void say(const std::string& state) override { keep(states, state); }
+    void save(Saved file) override { keep(saved, std::move(file)); }
+
+    template <class Condition>
+    bool wait(Condition&& condition)
+    {
+        std::unique_lock lock(mutex);
+        return changed.wait_for(lock, std::chrono::seconds(60), condition);
+    }
+
+    std::mutex mutex;
+    std::condition_variable changed;
+    std::deque<Picture> pictures;
+    std::deque<std::string> states;
+    std::deque<Saved> saved;
+
+private:
+    template <class T>
+    void keep(std::deque<T>& list, T thing)
+    {
+        const std::lock_guard lock(mutex);
+        list.push_back(std::move(thing));
+        changed.notify_all();
+    }
+};
+
+struct Seat {
+    Seat(Desk& at, Stock& stock, Wish wish)
+        : desk(at), audience(std::make_shared<Audience>()),
+          session(std::make_shared<Session>(std::move(wish), stock, audience))
+    {
+        desk.add(session);
+    }
+    Seat(const Seat&) = delete;
+    Seat& operator=(const Seat&) = delete;
+    ~Seat() { desk.remove(session); }
+
+    // Sees every picture until there is one of `kind` that shows `input`.
+    Picture wait_for(Picture::Kind kind, std::uint64_t input)
+    {
+        Picture last;
+        do {
+            if (!audience->wait([&] { return !audience->pictures.empty(); })) {
+                ADD_FAILURE() << "no picture";
+                return last;
+            }
+            const std::lock_guard lock(audience->mutex);
+            last = std::move(audience->pictures.front());
+            audience->pictures.pop_front();
+            session->seen();
+            desk.nudge();
+        } while (last.kind != kind || last.input < input);
+        return last;
+    }
+
+    void change(std::uint64_t input, const Session::Change& change)
+    {
+        session->change(input, change);
+        desk.nudge();
+    }
+
+    Desk& desk;
+    std::shared_ptr<Audience> audience;
+    std::shared_ptr<Session> session;
+};
+
+Wish small_wish(const std::string& scene)
+{
+    Wish wish{scene, "furnace", {}, first_eye(scene), {}, 96, 64};
+    wish.values.set("samples", "8");
+    return wish;
+}
+
+std::vector<std::uint8_t> rendered(const std::string& command, const testing::Folder& folder)
+{
+    const testing::Outcome outcome =
+        testing::run_program("/bin/sh", {"-c", "cd '" + folder.path("") + "' && " +
+                                                   std::string(LAMBENT_PROGRAM) + command.substr(7)});
+    EXPECT_EQ(outcome.code, 0) << outcome.error;
+    return read_file(folder.path(command.substr(command.rfind(' ') + 1)));
+}
+
+TEST(Desk, WhatIsSavedIsWhatTheShownCommandWrites)
+{
+    Stock stock(false);
+    Desk desk(stock);
+    Seat seat(desk, stock, small_wish("sphere"));
+    seat.wait_for(Picture::Kind::rest, 0);
+    std::uint64_t input = 0;
+    const auto check = [&](const std::string& kind) {
+        Picture rest;
+        if (kind == "png")
+            rest = seat.wait_for(Picture::Kind::rest, input);
+        seat.session->save(kind);
+        desk.nudge();
+        ASSERT_TRUE(seat.audience->wait([&] { return !seat.audience->saved.empty(); }));
+        const Saved saved = seat.audience->saved.front();
+        seat.audience->saved.pop_front();
+        const testing::Folder folder;
+        EXPECT_EQ(saved.bytes, rendered(saved.command, folder)) << saved.command;
+        if (kind == "png") {
+            const image::CodeImage written = image::read_codes(folder.path("picture.png"));
+            ASSERT_EQ(written.width, rest.codes.width);
+            const std::size_t channels = static_cast<std::size_t>(rest.codes.channels);
+            for (std::size_t i = 0; i < rest.codes.bytes.size() / channels; ++i)
+                for (std::size_t c = 0; c < channels; ++c)
+                    ASSERT_EQ(rest.codes.bytes[channels * i + c], written.bytes[4 * i + c]);
+        }
+    };
+    seat.change(++input, [](Wish& wish, const Eye::World& world) {
+        wish.eye.orbit(33.333333, 11.1111111);
+        wish.eye.pan(world, 0.123456789, -0.1, 45.0);
+        wish.eye.dolly(world, -0.3);
+        wish.values.set("exposure", "1.2345678");
+        wish.values.set("env-rotation", "-33.3");
+    });
+    check("png");
+    seat.change(++input, [](Wish& wish, const Eye::World&) {
+        wish.values.set("model", "phong");
+        wish.values.set("alpha", "17.5");
+        wish.values.set("kd", "0.1,0.7,0.3");
+        wish.values.set("background", "none");
+        set_lights(wish, {"directional:10,20,1,2,3", "point:0.5,2,1,1,1,1"});
+    });
+    check("png");
+    check("jpg");
+}
+
+TEST(Desk, MovesAreShownSoonerAndSmallerThanWhatRests)
+{
+    Stock stock(false);
+    Desk desk(stock);
+    Seat seat(desk, stock, small_wish("sphere"));
+    const Picture moving = seat.wait_for(Picture::Kind::moving, 0),
+                  rest = seat.wait_for(Picture::Kind::rest, 0);
+    EXPECT_LT(moving.codes.width, 96);
+    EXPECT_EQ(moving.width, 96);
+    EXPECT_EQ(rest.codes.width, 96);
+    EXPECT_EQ(rest.codes.height, 64);
+    EXPECT_EQ(rest.scale, 1.0);
+}
+
+TEST(Desk, WhoDoesNotLookGetsTwoPicturesAndHoldsNobodyUp)
+{
+    Stock stock(false);
+    Desk desk(stock);
+    Seat stalled(desk, stock, small_wish("sphere")), other(desk, stock, small_wish("sphere"));
+    for (std::uint64_t input = 1; input <= 20; ++input) {
+        const Session::Change turn = [](Wish& wish, const Eye::World&) { wish.eye.orbit(5.0, 0.0); };
+        stalled.change(input, turn);
+        other.change(input, turn);
+        EXPECT_EQ(other.wait_for(Picture::Kind::moving, input).input, input);
+    }
+    other.wait_for(Picture::Kind::rest, 20);
+    const std::lock_guard lock(stalled.audience->mutex);
+    EXPECT_LE(stalled.audience->pictures.size(), std::size_t{Session::most_in_flight});
+}
+
+TEST(Desk, AMoveOvertakesALongPicture)
+{
+    Stock stock(false);
+    Desk desk(stock);
+    Wish wish = small_wish("grid");
+    wish.values.set("samples", "1024");
+    set_size(wish, 1600.0, 1200.0);
+    Seat seat(desk, stock, wish);
+    seat.wait_for(Picture::Kind::still, 0);
+    // The long one is being drawn, or about to be; it is never shown, as the move comes first.
+    seat.change(1, [](Wish& w, const Eye::World&) { w.eye.orbit(5.0, 0.0); });
+    const Picture next = seat.wait_for(Picture::Kind::moving, 1);
+    EXPECT_EQ(next.input, 1u);
+    seat.change(2, [](Wish& w, const Eye::World&) { w.values.set("samples", "8"); });
+    EXPECT_EQ(seat.wait_for(Picture::Kind::rest, 2).input, 2u);
+}
+
+TEST(Desk, APickedPointBecomesTheMiddle)
+{
+    Stock stock(false);
+    Desk desk(stock);
+    Wish wish = small_wish("sphere");
+    wish.eye = Eye(0.0, 0.0);
+    Seat seat(desk, stock, wish);
+    seat.wait_for(Picture::Kind::rest, 0);
+    seat.session->focus(0.5, 0.5);
+    desk.nudge();
+    ASSERT_TRUE(seat.audience->wait([&] { return seat.session->wish().eye.options().size() == 4; }));
+    // The sphere of radius 0.5 m stands at the origin: its nearest point.
+    const glm::dvec3 target = seat.session->wish().eye.target({});
+    EXPECT_NEAR(target.x, 0.0, 0.05);
+    EXPECT_NEAR(target.y, 0.5, 0.05);
+    EXPECT_NEAR(target.z, 0.5, 0.02);
+}
+
+TEST(Desk, WhatCannotBeOpenedIsSaidAndTheOldPictureStays)
+{
+    Stock stock(false);
+    Desk desk(stock);
+    Seat seat(desk, stock, small_wish("sphere"));
+    seat.wait_for(Picture::Kind::rest, 0);
+    seat.session->open_scene("nowhere.glb");
+    desk.nudge();
+    const auto says = [&](const std::string& words) {
+        return seat.audience->wait([&] {
+            return !seat.audience->states.empty() && nlohmann::json::parse(seat.audience->states.back())
+                                                             .at("error")
+                                                             .get<std::string>()
+                                                             .find(words) != std::string::npos;
+        });
+    };
+    EXPECT_TRUE(says("nowhere.glb"));
+    EXPECT_EQ(seat.session->wish().scene, "sphere");
+    seat.session->open_scene("grid");
+    desk.nudge();
+    while (seat.session->wish().scene != "grid")
+        seat.wait_for(Picture::Kind::moving, 0);
+    EXPECT_EQ(seat.session->wish().scene, "grid");
+}
+
+TEST(Desk, ChangesThatAreRefusedChangeNothing)
+{
+    Stock stock(false);
+    Desk desk(stock);
+    Seat seat(desk, stock, small_wish("sphere"));
+    const std::string before = seat.session->state();
+    EXPECT_THROW(seat.session->change(1,
+                                      [](Wish& wish, const Eye::World&) {
+                                          wish.values.set("exposure", "2");
+                                          wish.values.set("exposure", "-2");
+                                      }),
+                 Error);
+    EXPECT_EQ(seat.session->state(), before);
+    EXPECT_THROW(seat.session->save("exe"), Error);
+}
+
+TEST(Desk, EveryLayerCanBeLookedAt)
+{
+    Stock stock(false);
+    Desk desk(stock);
+    Seat seat(desk, stock, small_wish("sphere"));
+    std::uint64_t input = 0;
+    const std::vector<std::uint8_t> picture = seat.wait_for(Picture::Kind::rest, 0).codes.bytes;
+    for (const char* model : {"ggx", "phong"})
+        for (const char* layer : {"base_color", "alpha", "normal", "depth", "irradiance", "light_specular"}) {
+            seat.change(++input, [&](Wish& wish, const Eye::World&) {
+                wish.values.set("model", model);
+                wish.values.set("layer", layer);
+            });
+            EXPECT_NE(seat.wait_for(Picture::Kind::rest, input).codes.bytes, picture)
+                << model << " " << layer;
+        }
+}
+
+} // namespace
+} // namespace lambent::viewer

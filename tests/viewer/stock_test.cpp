@@ -1,0 +1,110 @@
+// Scenes shared and loaded again.
+#include "apps/viewer/stock.h"
+#include "base/error.h"
+#include "base/file.h"
+#include "tests/support/process.h"
+
+#include <gtest/gtest.h>
+
+#include <condition_variable>
+#include <fstream>
+
+namespace lambent::viewer {
+namespace {
+
+cli::RenderArguments arguments_for(const std::string& scene)
+{
+    cli::RenderArguments arguments;
+    arguments.scene = scene;
+    arguments.environment = "none";
+    return arguments;
+}
+
+void write(const std::string& file, const std::string& content)
+{
+    write_file(file, {reinterpret_cast<const std::uint8_t*>(content.data()), content.size()});
+}
+
+const std::string empty_model = R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{}]})";
+const std::string model_with_camera =
+    R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+        "nodes": [{"camera": 0}], "cameras": [{"type": "perspective", "perspective": {"yfov": 1, "znear": 1}}]})";
+
+// Waits until `condition` holds of what is there.
+template <class Condition>
+bool eventually(Stock& stock, const cli::RenderArguments& arguments, Condition&& condition)
+{
+    for (int i = 0; i < 600; ++i) {
+        if (condition(stock.model(arguments)))
+            return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    return false;
+}
+
+TEST(Stock, GivesTheSameSceneToEverybody)
+{
+    Stock stock(false);
+    const cli::RenderArguments arguments = arguments_for("sphere");
+    stock.load(arguments);
+    const Found<Model> one = stock.model(arguments), two = stock.model(arguments);
+    EXPECT_NE(one.value, nullptr);
+    EXPECT_EQ(one.value, two.value);
+    cli::RenderArguments other = arguments;
+    other.builtin.exponent = 3.0f;
+    stock.load(other);
+    EXPECT_NE(stock.model(other).value, one.value);
+}
+
+TEST(Stock, SaysWhatCannotBeLoaded)
+{
+    Stock stock(false);
+    try {
+        stock.load(arguments_for("nowhere.glb"));
+        ADD_FAILURE() << "loaded";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.failure(), Failure::bad_input);
+        EXPECT_NE(std::string(error.what()).find("nowhere.glb"), std::string::npos);
+    }
+}
+
+TEST(Stock, LoadsFilesAgainWhenTheyChangeAndKeepsTheOldWhenTheyBreak)
+{
+    const testing::Folder folder;
+    const std::string file = folder.path("a.gltf");
+    write(file, empty_model);
+    Stock stock(false);
+    const cli::RenderArguments arguments = arguments_for(file);
+    stock.load(arguments);
+    const std::shared_ptr<Model> first = stock.model(arguments).value;
+    EXPECT_TRUE(first->scene().cameras.empty());
+    write(file, model_with_camera);
+    EXPECT_TRUE(eventually(stock, arguments, [](const Found<Model>& found) {
+        return found.value->scene().cameras.size() == 1;
+    }));
+    const std::shared_ptr<Model> second = stock.model(arguments).value;
+    write(file, "{ broken");
+    EXPECT_TRUE(eventually(stock, arguments, [](const Found<Model>& found) { return !found.error.empty(); }));
+    EXPECT_EQ(stock.model(arguments).value, second);
+    write(file, empty_model);
+    EXPECT_TRUE(eventually(stock, arguments, [&](const Found<Model>& found) {
+        return found.error.empty() && found.value != second;
+    }));
+}
+
+TEST(Stock, KeepsLittleThatNobodyLooksAt)
+{
+    Stock stock(false);
+    std::weak_ptr<Model> first;
+    for (int i = 1; i < 30; ++i) {
+        cli::RenderArguments arguments = arguments_for("plane");
+        arguments.builtin.exponent = static_cast<float>(i);
+        stock.load(arguments);
+        if (i == 1)
+            first = stock.model(arguments).value;
+    }
+    EXPECT_TRUE(first.expired());
+}
+
+} // namespace
+} // namespace lambent::viewer
