@@ -205,6 +205,7 @@ TEST(Docs, CliListsEveryOptionAndNoOther)
                                    {"reference", "--help"},
                                    {"compare", "--help"},
                                    {"report", "--help"},
+                                   {"view", "--help"},
                                    {"serve", "--help"},
                                    {"env", "--help"},
                                    {"info", "--help"}})

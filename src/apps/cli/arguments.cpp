@@ -7,6 +7,7 @@
 #include "apps/cli/serve_grammar.h"
 #include "apps/cli/values.h"
 #include "apps/cli/version.h"
+#include "apps/cli/view_grammar.h"
 #include "base/error.h"
 #include "base/text.h"
 
@@ -257,6 +258,7 @@ struct Grammar {
     BakeGrammar bake;
     CompareGrammar compare;
     ReportGrammar report;
+    ViewGrammar view;
     ServeGrammar serve;
     CLI::App* render_command = nullptr;
     CLI::App* reference_command = nullptr;
@@ -274,6 +276,7 @@ struct Grammar {
         add_reference();
         compare.add(app);
         report.add(app);
+        view.add(app);
         serve.add(app);
         add_env();
         add_info();
@@ -360,6 +363,8 @@ struct Grammar {
             return compare.result();
         if (report.parsed())
             return report.result();
+        if (view.parsed())
+            return view.result();
         if (serve.parsed())
             return serve.result();
         if (env_command->parsed())

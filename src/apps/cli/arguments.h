@@ -111,6 +111,13 @@ struct ReportArguments {
     bool cache = true;             ///< of environments
 };
 
+struct ViewArguments {
+    CommonOptions common;
+    std::string scene;
+    std::string environment = "kitchen";
+    bool cache = true; ///< of environments
+};
+
 struct ServeArguments {
     CommonOptions common;
     std::string scene;
@@ -142,7 +149,7 @@ struct PrintText {
 
 using Arguments =
     std::variant<PrintText, RenderArguments, BakeArguments, ReferenceArguments, CompareArguments,
-                 ReportArguments, ServeArguments, EnvArguments, InfoArguments>;
+                 ReportArguments, ViewArguments, ServeArguments, EnvArguments, InfoArguments>;
 
 /// Throws Error(usage) with one line for whatever is wrong.
 Arguments parse_arguments(int count, const char* const* words);

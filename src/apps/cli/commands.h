@@ -10,6 +10,7 @@ void run(const BakeArguments& arguments);
 void run(const ReferenceArguments& arguments);
 void run(const CompareArguments& arguments);
 void run(const ReportArguments& arguments);
+void run(const ViewArguments& arguments);
 void run(const ServeArguments& arguments);
 void run(const EnvArguments& arguments);
 void run(const InfoArguments& arguments);

@@ -67,13 +67,6 @@ double number_of(const viewer::Values& values, std::string_view name)
     return std::stod(values[name]);
 }
 
-void turn_environment(Wish& wish, double degrees)
-{
-    const double turned =
-        std::remainder(number_of(wish.values, "env-rotation") + std::fmod(degrees, 360.0), 360.0);
-    wish.values.set("env-rotation", viewer::number_word(turned));
-}
-
 using Action = std::function<void(const Said&)>;
 
 const std::map<std::string, Action, std::less<>>& actions()
@@ -100,7 +93,7 @@ const std::map<std::string, Action, std::less<>>& actions()
         {"turn",
          [](const Said& s) {
              const double by = s.number("by");
-             s.change([&](Wish& wish, const World&) { turn_environment(wish, by); });
+             s.change([&](Wish& wish, const World&) { viewer::turn_environment(wish, by); });
          }},
         {"set",
          [](const Said& s) {

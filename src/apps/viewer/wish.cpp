@@ -29,6 +29,13 @@ void set_lights(Wish& wish, const std::vector<std::string>& lights)
     wish.lights = lights;
 }
 
+void turn_environment(Wish& wish, double degrees)
+{
+    const double before = std::stod(wish.values["env-rotation"]);
+    const double turned = std::remainder(before + std::fmod(degrees, 360.0), 360.0);
+    wish.values.set("env-rotation", number_word(turned));
+}
+
 void set_size(Wish& wish, double width, double height)
 {
     const auto side = [](double length) {

@@ -28,6 +28,9 @@ void set_lights(Wish& wish, const std::vector<std::string>& lights);
 /// Sides are cut to what may be drawn: from 16 pixels to most_pixels in all, in the proportion asked for.
 void set_size(Wish& wish, double width, double height);
 
+/// The environment's rotation grows by so many degrees, and stays from -180 to 180.
+void turn_environment(Wish& wish, double degrees);
+
 /// "render", the scene and the options, without an output.
 std::vector<std::string> words_of(const Wish& wish);
 

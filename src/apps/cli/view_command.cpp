@@ -1,0 +1,51 @@
+#include "apps/cli/commands.h"
+#include "base/error.h"
+#include "base/text.h"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace lambent::cli {
+namespace {
+
+// The words that the window's own program reads its arguments from again.
+std::vector<std::string> words_of(const ViewArguments& arguments)
+{
+    std::vector<std::string> words = {"lambent", "view", "--env", arguments.environment};
+    if (!arguments.cache)
+        words.emplace_back("--no-cache");
+    if (arguments.common.threads > 0)
+        words.insert(words.end(), {"--threads", text(arguments.common.threads)});
+    if (arguments.common.verbosity != Verbosity::normal)
+        words.emplace_back(arguments.common.verbosity == Verbosity::quiet ? "--quiet" : "--verbose");
+    words.insert(words.end(), {"--", arguments.scene}); // a name may look like an option
+    return words;
+}
+
+} // namespace
+
+// The window is a program of its own: everything else starts without what windows need.
+void run(const ViewArguments& arguments)
+{
+    std::error_code problem;
+    const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe", problem);
+    const std::filesystem::path window = own.parent_path() / "lambent-view";
+    if (problem || ::access(window.c_str(), X_OK) != 0)
+        throw Error(Failure::no_device, text("view: ", window.string(),
+                                             " is not there: built without GLFW or Dear ImGui; lambent serve "
+                                             "shows the same in a browser"));
+    std::vector<std::string> words = words_of(arguments);
+    std::vector<char*> pointers;
+    for (std::string& word : words)
+        pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    ::execv(window.c_str(), pointers.data());
+    throw Error(Failure::no_device, text("view: ", window.string(), ": ", std::strerror(errno)));
+}
+
+} // namespace lambent::cli

@@ -1,0 +1,27 @@
+// The part of the command line that belongs to `lambent view`.
+#pragma once
+
+#include "apps/cli/arguments.h"
+#include "apps/cli/grammar.h"
+
+namespace lambent::cli {
+
+/// Must outlive the parsing: CLI11 fills its members.
+class ViewGrammar {
+public:
+    /// Adds the command.
+    void add(CLI::App& app);
+
+    bool parsed() const { return command_->parsed(); }
+
+    /// Throws Error(usage).
+    ViewArguments result() const;
+
+private:
+    CLI::App* command_ = nullptr;
+    CommonWords common_;
+    ViewArguments arguments_;
+    bool no_cache_ = false;
+};
+
+} // namespace lambent::cli

@@ -1,0 +1,142 @@
+#include "apps/view/controls.h"
+
+#include "base/text.h"
+
+#include <imgui.h>
+
+#include <array>
+#include <cstdio>
+#include <cstring>
+#include <optional>
+#include <sstream>
+
+namespace lambent::view_window {
+namespace {
+
+using viewer::Eye, viewer::Kind, viewer::Parameter, viewer::Session, viewer::Wish;
+
+// A value that a control was moved to.
+using Moved = std::optional<std::string>;
+
+Moved number(const Parameter& row, const std::string& label, const std::string& word)
+{
+    float value = word.empty() ? static_cast<float>(row.least) : std::stof(word);
+    const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp |
+                                   (row.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+    if (!ImGui::SliderFloat(label.c_str(), &value, static_cast<float>(row.least),
+                            static_cast<float>(row.most), "%.4g", flags))
+        return std::nullopt;
+    return viewer::number_word(static_cast<double>(value));
+}
+
+Moved whole(const Parameter& row, const std::string& label, const std::string& word)
+{
+    int value = word.empty() ? static_cast<int>(row.least) : std::stoi(word);
+    const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp |
+                                   (row.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+    if (!ImGui::SliderInt(label.c_str(), &value, static_cast<int>(row.least), static_cast<int>(row.most),
+                          "%d", flags))
+        return std::nullopt;
+    return text(value);
+}
+
+Moved choice(const Parameter& row, const std::string& label, const std::string& word)
+{
+    Moved moved;
+    if (!ImGui::BeginCombo(label.c_str(), word.c_str()))
+        return moved;
+    std::istringstream words{std::string(row.choices)};
+    for (std::string one; words >> one;)
+        if (ImGui::Selectable(one.c_str(), one == word))
+            moved = one;
+    ImGui::EndCombo();
+    return moved;
+}
+
+Moved color(const std::string& label, const std::string& word)
+{
+    std::array<float, 3> rgb = {0.5f, 0.5f, 0.5f};
+    std::sscanf(word.c_str(), "%f,%f,%f", &rgb[0], &rgb[1], &rgb[2]);
+    if (!ImGui::ColorEdit3(label.c_str(), rgb.data(), ImGuiColorEditFlags_Float))
+        return std::nullopt;
+    return text(viewer::number_word(static_cast<double>(rgb[0])), ",",
+                viewer::number_word(static_cast<double>(rgb[1])), ",",
+                viewer::number_word(static_cast<double>(rgb[2])));
+}
+
+Moved control(const Parameter& row, const std::string& word)
+{
+    const std::string label = text(row.label, "##", row.name);
+    switch (row.kind) {
+    case Kind::number:
+        return number(row, label, word);
+    case Kind::whole:
+        return whole(row, label, word);
+    case Kind::choice:
+        return choice(row, label, word);
+    default:
+        return color(label, word);
+    }
+}
+
+void set(Session& session, const Parameter& row, const std::string& word)
+{
+    session.change(0, [&](Wish& wish, const Eye::World&) { wish.values.set(row.name, word); });
+}
+
+} // namespace
+
+void show_controls(Session& session, const viewer::Values& values, bool built_in)
+{
+    std::string_view group;
+    bool open = false;
+    for (const Parameter& row : viewer::parameters()) {
+        if (row.group != group) {
+            group = row.group;
+            open = ImGui::CollapsingHeader(std::string(group).c_str(), ImGuiTreeNodeFlags_DefaultOpen);
+        }
+        if (!open || (row.phong_shapes && !(built_in && values["model"] == "phong")))
+            continue;
+        if (const Moved moved = control(row, values[row.name]))
+            set(session, row, *moved);
+    }
+}
+
+void show_lights(Session& session, const std::vector<std::string>& lights)
+{
+    if (!ImGui::CollapsingHeader("Lights", ImGuiTreeNodeFlags_DefaultOpen))
+        return;
+    std::vector<std::string> changed = lights;
+    bool is_changed = false;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        ImGui::PushID(static_cast<int>(i));
+        std::array<char, 128> words{};
+        std::snprintf(words.data(), words.size(), "%s", lights[i].c_str());
+        ImGui::SetNextItemWidth(-40.0f);
+        if (ImGui::InputText("##light", words.data(), words.size(), ImGuiInputTextFlags_EnterReturnsTrue)) {
+            changed[i] = words.data();
+            is_changed = true;
+        }
+        ImGui::SameLine();
+        const bool taken = ImGui::SmallButton("x");
+        ImGui::PopID();
+        if (taken) {
+            changed.erase(changed.begin() + static_cast<std::ptrdiff_t>(i));
+            is_changed = true;
+            break;
+        }
+    }
+    const auto add = [&](const char* button, const char* words) {
+        if (lights.size() < viewer::most_lights && ImGui::SmallButton(button)) {
+            changed.emplace_back(words);
+            is_changed = true;
+        }
+    };
+    add("a sun", "directional:45,45,3,3,3");
+    ImGui::SameLine();
+    add("a lamp", "point:1,2,2,10,10,10");
+    if (is_changed)
+        session.change(0, [&](Wish& wish, const Eye::World&) { viewer::set_lights(wish, changed); });
+}
+
+} // namespace lambent::view_window

@@ -1,0 +1,25 @@
+// What the window remembers from one time to the next.
+#pragma once
+
+#include "apps/view/window.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace lambent::view_window {
+
+struct Memory {
+    WindowPlace place;
+    bool panel = true;
+};
+
+/// $XDG_CONFIG_HOME/lambent/view.json, or under ~/.config; none where there is neither.
+std::optional<std::filesystem::path> memory_file();
+
+/// From a file's text. What it does not say, or says wrongly, or another version says, is as usual; `complaint` then has
+/// a line.
+Memory read_memory(const std::string& json, std::string& complaint);
+std::string write_memory(const Memory& memory);
+
+} // namespace lambent::view_window

@@ -1,0 +1,32 @@
+// Takes what the session shows, for the window's thread to fetch.
+#pragma once
+
+#include "apps/viewer/picture.h"
+
+#include <mutex>
+#include <optional>
+#include <string>
+
+namespace lambent::view_window {
+
+class Screen : public viewer::Presenter {
+public:
+    void show(viewer::Picture picture) override;
+    void say(const std::string& state) override;
+    void save(viewer::Saved saved) override;
+
+    /// What came since it was last asked for; of pictures the newest. `shown` counts those that came.
+    struct News {
+        std::optional<viewer::Picture> picture;
+        int shown = 0;
+        std::optional<std::string> state;
+        std::optional<viewer::Saved> saved;
+    };
+    News take();
+
+private:
+    std::mutex mutex_;
+    News news_;
+};
+
+} // namespace lambent::view_window

@@ -1,0 +1,11 @@
+// `lambent view`: a window onto one session.
+#pragma once
+
+#include "apps/cli/arguments.h"
+
+namespace lambent::view_window {
+
+/// Returns when the window is closed. Throws Error, also where no window can be opened.
+void run(const cli::ViewArguments& arguments);
+
+} // namespace lambent::view_window

@@ -1,0 +1,173 @@
+#include "tests/view_window/desktop.h"
+
+#include "base/text.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <thread>
+
+namespace lambent::testing {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+void sleep_ms(int milliseconds)
+{
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+}
+
+bool is_installed(const std::string& program)
+{
+    return run_program("sh", {"-c", text("command -v ", program)}).code == 0;
+}
+
+std::string contents(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+// The number at a place of an XWD header: 32 bits, the highest first.
+std::uint32_t number(const std::string& bytes, std::size_t index)
+{
+    std::uint32_t value = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        value = value << 8 | static_cast<unsigned char>(bytes[4 * index + i]);
+    return value;
+}
+
+} // namespace
+
+Running::Running(const std::vector<std::string>& words, const std::string& output)
+{
+    std::vector<char*> pointers;
+    for (const std::string& word : words)
+        pointers.push_back(const_cast<char*>(word.c_str()));
+    pointers.push_back(nullptr);
+    process_ = fork();
+    if (process_ == 0) {
+        const int file = ::open(output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        dup2(file, 1);
+        dup2(file, 2);
+        execvp(pointers[0], pointers.data());
+        _exit(127);
+    }
+}
+
+Running::~Running()
+{
+    if (process_ <= 0)
+        return;
+    kill(process_, SIGTERM);
+    if (wait(10.0) < 0) {
+        kill(process_, SIGKILL);
+        waitpid(process_, nullptr, 0);
+    }
+}
+
+int Running::wait(double seconds)
+{
+    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+    int status = 0;
+    while (waitpid(process_, &status, WNOHANG) == 0) {
+        if (Clock::now() > end)
+            return -1;
+        sleep_ms(20);
+    }
+    process_ = -1;
+    return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+double Screenshot::mean(const Area& area) const
+{
+    double sum = 0.0;
+    for (int y = area.y; y < area.y + area.height; ++y)
+        for (int i = 3 * area.x; i < 3 * (area.x + area.width); ++i)
+            sum += rgb[static_cast<std::size_t>(3 * y * width + i)];
+    return sum / (3.0 * area.width * area.height);
+}
+
+double Screenshot::difference(const Screenshot& other, const Area& area) const
+{
+    double sum = 0.0;
+    for (int y = area.y; y < area.y + area.height; ++y)
+        for (int i = 3 * area.x; i < 3 * (area.x + area.width); ++i) {
+            const auto at = static_cast<std::size_t>(3 * y * width + i);
+            sum += std::abs(int{rgb[at]} - int{other.rgb[at]});
+        }
+    return sum / (3.0 * area.width * area.height);
+}
+
+std::unique_ptr<Desktop> Desktop::open(std::string& why)
+{
+    for (const char* program : {"Xvfb", "xdotool"})
+        if (!is_installed(program)) {
+            why = text("no ", program);
+            return nullptr;
+        }
+    auto desktop = std::make_unique<Desktop>();
+    const std::string number = desktop->folder_.path("display"), log = desktop->folder_.path("xvfb.log");
+    // Xvfb chooses a free display and says which when it is ready; its screen is a file.
+    desktop->server_ = std::make_unique<Running>(
+        std::vector<std::string>{"sh", "-c",
+                                 text("exec Xvfb -displayfd 3 -screen 0 1280x800x24 -fbdir '",
+                                      desktop->folder_.path("."), "' 3> '", number, "'")},
+        log);
+    for (int i = 0; i < 500 && contents(number).find('\n') == std::string::npos; ++i)
+        sleep_ms(20);
+    const std::string said = contents(number);
+    if (said.find('\n') == std::string::npos) {
+        why = text("Xvfb does not start: ", one_line(contents(log)));
+        return nullptr;
+    }
+    desktop->display_ = text(":", said.substr(0, said.find('\n')));
+    return desktop;
+}
+
+bool Desktop::act(const std::vector<std::string>& words) const
+{
+    std::vector<std::string> all = {text("DISPLAY=", display_), "xdotool"};
+    all.insert(all.end(), words.begin(), words.end());
+    return run_program("env", all).code == 0;
+}
+
+// [X Window dump, XWDFile.h] The server keeps it in its own order of bytes, 32 bits a pixel.
+Screenshot Desktop::look() const
+{
+    const std::string bytes = contents(folder_.path("Xvfb_screen0"));
+    Screenshot shot;
+    if (bytes.size() < 100)
+        return shot;
+    shot.width = static_cast<int>(number(bytes, 4));
+    shot.height = static_cast<int>(number(bytes, 5));
+    const std::size_t start = number(bytes, 0) + 12 * number(bytes, 19), pitch = number(bytes, 12);
+    for (int y = 0; y < shot.height; ++y)
+        for (int x = 0; x < shot.width; ++x)
+            for (std::size_t c : {2u, 1u, 0u})
+                shot.rgb.push_back(static_cast<unsigned char>(bytes.at(
+                    start + static_cast<std::size_t>(y) * pitch + 4 * static_cast<std::size_t>(x) + c)));
+    return shot;
+}
+
+Screenshot Desktop::look_at_rest(double seconds) const
+{
+    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+    Screenshot last = look();
+    for (int quiet = 0; quiet < 4 && Clock::now() < end;) {
+        sleep_ms(250);
+        Screenshot next = look();
+        quiet = next.rgb == last.rgb ? quiet + 1 : 0;
+        last = std::move(next);
+    }
+    return last;
+}
+
+} // namespace lambent::testing
