@@ -124,7 +124,7 @@ void print(const Moving& moving, const Single& single)
 int main()
 {
     viewer::Wish start{"grid", "kitchen", {}, viewer::first_eye("grid"), {}};
-    viewer::Stock stock(true);
+    viewer::Stock stock;
     stock.load(viewer::arguments_of(start));
     viewer::Desk desk(stock);
     serve::ServerOptions options;

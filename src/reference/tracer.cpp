@@ -22,30 +22,36 @@ constexpr double growth = 1.5;
 
 class Tracer {
 public:
-    Tracer(const World& world, const Settings& settings, const std::function<bool(const Progress&)>& go_on)
-        : world_(world), settings_(settings), go_on_(go_on),
+    Tracer(const World& world, const Settings& settings)
+        : world_(world), settings_(settings),
           lens_(settings.panorama_from ? Lens(*settings.panorama_from, settings.width, settings.height)
                                        : Lens(settings.camera, settings.width, settings.height)),
           film_(settings.width, settings.height)
     {
     }
 
-    Result run();
+    /// As Tracing::advance.
+    bool advance(const GoOn& go_on);
+
+    Result result() const
+    {
+        return {film_.radiance(), film_.variance(), noise_, samples_, broken_, refused_};
+    }
 
 private:
-    void round(const std::vector<int>& wanted);
+    void round(const GoOn& go_on);
     void sample_tile(int tile, int count);
     std::vector<int> next_counts() const;
     Progress progress() const;
-    void ask(bool first_round);
+    void ask(const GoOn& go_on, bool first_round);
     double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-    bool enough() const;
+    bool reached_limit() const;
 
     const World& world_;
     const Settings& settings_;
-    const std::function<bool(const Progress&)>& go_on_;
     Lens lens_;
     Film film_;
+    std::vector<int> wanted_; ///< samples per pixel of each tile, of the round that is under way; empty: none is
     Clock::time_point start_ = Clock::now();
     double noise_ = 0.0;         ///< as of the last round
     double samples_ = 0.0;       ///< likewise
@@ -94,40 +100,47 @@ Progress Tracer::progress() const
     return p;
 }
 
-void Tracer::ask(bool first_round)
+void Tracer::ask(const GoOn& go_on, bool first_round)
 {
     const std::unique_lock lock(asking_, std::try_to_lock);
     if (!lock)
         return;
-    if (go_on_ && !refused_ && !go_on_(progress()))
+    if (go_on && !refused_ && !go_on(progress()))
         refused_ = true;
     if (!first_round && (refused_ || seconds() >= settings_.seconds))
         stop_ = true;
 }
 
-void Tracer::round(const std::vector<int>& wanted)
+// What of it is done already is not done again.
+void Tracer::round(const GoOn& go_on)
 {
     const bool first = film_.samples(0) == 0;
     tbb::parallel_for(0, film_.tile_count(), [&](int tile) {
-        if (stop_ || wanted[static_cast<std::size_t>(tile)] <= film_.samples(tile))
+        const int count = wanted_[static_cast<std::size_t>(tile)];
+        if (stop_ || count <= film_.samples(tile))
             return;
-        sample_tile(tile, wanted[static_cast<std::size_t>(tile)]);
-        ask(first);
+        sample_tile(tile, count);
+        ask(go_on, first);
     });
     noise_ = film_.relative_noise();
     samples_ = film_.mean_samples();
     noise_seconds_ = seconds();
 }
 
-bool Tracer::enough() const
+bool Tracer::reached_limit() const
 {
-    return stop_ || refused_ || samples_ >= settings_.samples || seconds() >= settings_.seconds ||
+    return samples_ >= settings_.samples || seconds() >= settings_.seconds ||
            (settings_.noise > 0.0 && samples_ >= 2 * Film::replicates && noise_ <= settings_.noise);
 }
 
+// One sample everywhere, quickly: from then on there is a picture. Then what tells the variance, then ever more.
 std::vector<int> Tracer::next_counts() const
 {
     const std::size_t tiles = static_cast<std::size_t>(film_.tile_count());
+    if (!(samples_ >= 1.0))
+        return std::vector<int>(tiles, 1);
+    if (samples_ < std::min(2 * Film::replicates, settings_.samples))
+        return std::vector<int>(tiles, std::min(2 * Film::replicates, settings_.samples));
     const double next = std::min(std::max(samples_ * growth, samples_ + Film::replicates),
                                  static_cast<double>(settings_.samples));
     if (!settings_.adaptive) {
@@ -142,46 +155,81 @@ std::vector<int> Tracer::next_counts() const
     return share_samples(states, next * static_cast<double>(tiles), Film::replicates);
 }
 
-Result Tracer::run()
+bool Tracer::advance(const GoOn& go_on)
 {
-    const std::size_t tiles = static_cast<std::size_t>(film_.tile_count());
-    // One sample everywhere, quickly: from then on there is a picture. Then what tells the variance.
-    round(std::vector<int>(tiles, 1));
-    if (!enough())
-        round(std::vector<int>(tiles, std::min(2 * Film::replicates, settings_.samples)));
-    while (!enough()) {
+    stop_ = refused_ = false;
+    while (!reached_limit() || film_.samples(0) == 0) {
         const double before = samples_;
-        round(next_counts());
-        if (!(samples_ > before))
+        if (wanted_.empty())
+            wanted_ = next_counts();
+        round(go_on);
+        if (stop_)
             break;
+        wanted_.clear();
+        if (refused_)
+            break;
+        if (!(samples_ > before))
+            return true;
     }
-    return {film_.radiance(), film_.variance(), noise_, samples_, broken_, refused_};
+    return reached_limit();
 }
 
 } // namespace
 
-Result trace(const scene::Scene& scene, const image::RadianceImage* panorama, const Settings& settings,
-             const std::function<bool(const Progress&)>& go_on)
-{
-    const lambent::trace::Visibility visibility(scene);
-    const Surfaces surfaces(scene, settings.model, settings.texel_transfer);
+// What outlives the constructor: the tracer refers to all of it.
+struct Tracing::Parts {
+    Parts(const scene::Scene& scene, const image::RadianceImage* panorama, const Settings& asked)
+        : settings(asked), visibility(scene), surfaces(scene, asked.model, asked.texel_transfer),
+          emitters(scene)
+    {
+        if (panorama)
+            environment.emplace(*panorama, settings.environment_rotation);
+        world.visibility = &visibility;
+        world.surfaces = &surfaces;
+        world.environment = environment ? &*environment : nullptr;
+        world.emitters = emitters.empty() ? nullptr : &emitters;
+        world.lights = scene.lights;
+        world.lights.insert(world.lights.end(), settings.lights.begin(), settings.lights.end());
+        world.model = settings.model;
+        world.energy_compensation = settings.energy_compensation;
+        world.background = settings.background;
+        world.bounces = settings.bounces;
+        world.strategy = settings.strategy;
+        tracer.emplace(world, settings);
+    }
+
+    const Settings settings;
+    const lambent::trace::Visibility visibility;
+    const Surfaces surfaces;
     std::optional<EnvironmentLight> environment;
-    if (panorama)
-        environment.emplace(*panorama, settings.environment_rotation);
-    const Emitters emitters(scene);
+    const Emitters emitters;
     World world;
-    world.visibility = &visibility;
-    world.surfaces = &surfaces;
-    world.environment = environment ? &*environment : nullptr;
-    world.emitters = emitters.empty() ? nullptr : &emitters;
-    world.lights = scene.lights;
-    world.lights.insert(world.lights.end(), settings.lights.begin(), settings.lights.end());
-    world.model = settings.model;
-    world.energy_compensation = settings.energy_compensation;
-    world.background = settings.background;
-    world.bounces = settings.bounces;
-    world.strategy = settings.strategy;
-    return Tracer(world, settings, go_on).run();
+    std::optional<Tracer> tracer;
+};
+
+Tracing::Tracing(const scene::Scene& scene, const image::RadianceImage* panorama, const Settings& settings)
+    : parts_(std::make_unique<Parts>(scene, panorama, settings))
+{
+}
+
+Tracing::~Tracing() = default;
+
+bool Tracing::advance(const GoOn& go_on)
+{
+    return parts_->tracer->advance(go_on);
+}
+
+Result Tracing::result() const
+{
+    return parts_->tracer->result();
+}
+
+Result trace(const scene::Scene& scene, const image::RadianceImage* panorama, const Settings& settings,
+             const GoOn& go_on)
+{
+    Tracing tracing(scene, panorama, settings);
+    tracing.advance(go_on);
+    return tracing.result();
 }
 
 } // namespace lambent::reference

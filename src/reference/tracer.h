@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 
 namespace lambent::reference {
@@ -44,10 +45,35 @@ struct Result {
     bool stopped = false;          ///< by `go_on`
 };
 
-/// Paths through the scene under a panorama (RGB, finite, not negative, 2x1 or more; null: darkness).
-/// `go_on` is asked now and then, by one thread at a time; after it says false, what there is is returned.
+/// Asked now and then, by one thread at a time, whether to go on.
+using GoOn = std::function<bool(const Progress&)>;
+
+/// Paths through the scene under a panorama (RGB, finite, not negative, 2x1 or more; null: darkness). After `go_on` says
+/// false, what there is is returned.
 /// Same rays, and same box filter over pixels, as draw/. Throws Error(no_device) where Embree does not run.
 Result trace(const scene::Scene& scene, const image::RadianceImage* panorama, const Settings& settings,
-             const std::function<bool(const Progress&)>& go_on = {});
+             const GoOn& go_on = {});
+
+/// The same bit by bit: for those who look at it meanwhile.
+class Tracing {
+public:
+    /// Scene and panorama must outlive it. Throws as trace().
+    Tracing(const scene::Scene& scene, const image::RadianceImage* panorama, const Settings& settings);
+    ~Tracing();
+    Tracing(const Tracing&) = delete;
+    Tracing& operator=(const Tracing&) = delete;
+
+    /// Goes on until a limit is reached, which it returns, or `go_on` says false, but until each pixel has one sample. Nothing
+    /// is lost by stopping: the samples are those of a trace() that was not stopped. What `go_on` throws is passed on;
+    /// then this is of no more use.
+    bool advance(const GoOn& go_on);
+
+    /// What there is so far, after the first advance().
+    Result result() const;
+
+private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
 
 } // namespace lambent::reference

@@ -1,6 +1,5 @@
 #include "vulkan/api.h"
 
-#include "base/error.h"
 #include "base/text.h"
 
 namespace lambent::vulkan {
@@ -9,9 +8,9 @@ void load_library()
 {
     static const VkResult result = volkInitialize(); // never closed: drivers do not survive that
     if (result != VK_SUCCESS)
-        throw Error(Failure::no_device, "Vulkan: there is no library libvulkan.so.1");
+        throw NoSuchDevice("Vulkan: there is no library libvulkan.so.1");
     if (volkGetInstanceVersion() < VK_API_VERSION_1_3)
-        throw Error(Failure::no_device, "Vulkan: the library is older than 1.3");
+        throw NoSuchDevice("Vulkan: the library is older than 1.3");
 }
 
 const char* meaning(VkResult result)

@@ -120,7 +120,10 @@ Instance::Instance(bool validation)
         info.ppEnabledLayerNames = &validation_layer;
         info.ppEnabledExtensionNames = &extension;
     }
-    check(vkCreateInstance(&info, nullptr, &instance_), "starting");
+    const VkResult started = vkCreateInstance(&info, nullptr, &instance_);
+    if (started == VK_ERROR_INCOMPATIBLE_DRIVER)
+        throw NoSuchDevice(text("Vulkan: ", meaning(started)));
+    check(started, "starting");
     volkLoadInstanceOnly(instance_);
     if (watched)
         watch();
@@ -175,7 +178,7 @@ Candidate choose(const std::vector<Candidate>& devices, Choice choice)
             why += text("; ", device.name, device.fit ? " is software" : text(" lacks ", device.lacks));
     }
     if (!best)
-        throw Error(Failure::no_device, text("Vulkan: there is no device that will do", why));
+        throw NoSuchDevice(text("Vulkan: there is no device that will do", why));
     return *best;
 }
 

@@ -47,7 +47,8 @@ struct Candidate {
 
 class Instance {
 public:
-    /// With `validation`, the Khronos validation layer watches where it is installed. Throws Error(no_device).
+    /// With `validation`, the Khronos validation layer watches where it is installed. Throws Error(no_device), where there
+    /// is no library or driver NoSuchDevice.
     explicit Instance(bool validation = false);
     ~Instance();
     Instance(const Instance&) = delete;
@@ -78,7 +79,7 @@ enum class Choice {
 };
 
 /// The best of the devices: discrete or otherwise with memory of its own first, the one with most memory, software last.
-/// Throws Error(no_device) that says what there was and why it will not do.
+/// Throws NoSuchDevice that says what there was and why it will not do.
 Candidate choose(const std::vector<Candidate>& devices, Choice choice);
 
 } // namespace lambent::vulkan

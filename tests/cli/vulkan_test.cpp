@@ -91,6 +91,24 @@ TEST(Vulkan, WithoutADriverItSaysSoAndLeavesNothing)
     EXPECT_TRUE(folder.names().empty());
 }
 
+TEST(Vulkan, AutoGoesOnWithoutADriverAndSaysNothing)
+{
+    const Folder folder;
+    const std::string command = "VK_ICD_FILENAMES=/nowhere VK_DRIVER_FILES=/nowhere exec '" LAMBENT_PROGRAM
+                                "' render sphere --size 64x36 --backend auto --stats json -o '" +
+                                folder.path("a.png") + "'";
+    const Outcome outcome = testing::run_program("sh", {"-c", command});
+    ASSERT_EQ(outcome.code, 0) << outcome.error;
+    EXPECT_EQ(outcome.error, "");
+    EXPECT_EQ(json::parse(outcome.output)["backend"], "cpu");
+    const std::string bake = "VK_ICD_FILENAMES=/nowhere VK_DRIVER_FILES=/nowhere exec '" LAMBENT_PROGRAM
+                             "' bake studio --size 16 --stats json -o '" +
+                             folder.path("b.ktx2") + "'";
+    const Outcome baked = testing::run_program("sh", {"-c", bake});
+    ASSERT_EQ(baked.code, 0) << baked.error;
+    EXPECT_EQ(json::parse(baked.output)["backend"], "cpu");
+}
+
 TEST(Vulkan, DoesNotTrace)
 {
     const Folder folder;

@@ -20,7 +20,7 @@ struct Messages : ::testing::Test {
     Heard said(const std::string& message) { return hear(message, session, files); }
     viewer::Wish wish() { return session.wish(); }
 
-    viewer::Stock stock{false};
+    viewer::Stock stock{{.cache = false}};
     FileList files{{}};
     viewer::Session session{
         {"plane", "furnace", {}, viewer::first_eye("plane"), {}, 64, 64}, stock, std::make_shared<Nobody>()};

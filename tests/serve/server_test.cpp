@@ -48,7 +48,7 @@ struct Running {
         return options;
     }
 
-    viewer::Stock stock{false};
+    viewer::Stock stock{{.cache = false}};
     viewer::Desk desk{stock};
     Server server;
     std::thread thread;
@@ -291,7 +291,7 @@ TEST(Server, SavesWhatTheCommandWrites)
 TEST(Server, SaysWhyItCannotListen)
 {
     const Running running;
-    viewer::Stock stock(false);
+    viewer::Stock stock({.cache = false});
     viewer::Desk desk(stock);
     ServerOptions options = Running::quick();
     options.host = "nonsense";

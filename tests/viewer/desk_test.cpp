@@ -103,7 +103,7 @@ std::vector<std::uint8_t> rendered(const std::string& command, const testing::Fo
 
 TEST(Desk, WhatIsSavedIsWhatTheShownCommandWrites)
 {
-    Stock stock(false);
+    Stock stock({.cache = false});
     Desk desk(stock);
     Seat seat(desk, stock, small_wish("sphere"));
     seat.wait_for(Picture::Kind::rest, 0);
@@ -149,7 +149,7 @@ TEST(Desk, WhatIsSavedIsWhatTheShownCommandWrites)
 
 TEST(Desk, MovesAreShownSoonerAndSmallerThanWhatRests)
 {
-    Stock stock(false);
+    Stock stock({.cache = false});
     Desk desk(stock);
     Seat seat(desk, stock, small_wish("sphere"));
     const Picture moving = seat.wait_for(Picture::Kind::moving, 0),
@@ -163,7 +163,7 @@ TEST(Desk, MovesAreShownSoonerAndSmallerThanWhatRests)
 
 TEST(Desk, WhoDoesNotLookGetsTwoPicturesAndHoldsNobodyUp)
 {
-    Stock stock(false);
+    Stock stock({.cache = false});
     Desk desk(stock);
     Seat stalled(desk, stock, small_wish("sphere")), other(desk, stock, small_wish("sphere"));
     for (std::uint64_t input = 1; input <= 20; ++input) {
@@ -179,7 +179,7 @@ TEST(Desk, WhoDoesNotLookGetsTwoPicturesAndHoldsNobodyUp)
 
 TEST(Desk, AMoveOvertakesALongPicture)
 {
-    Stock stock(false);
+    Stock stock({.cache = false});
     Desk desk(stock);
     Wish wish = small_wish("grid");
     wish.values.set("samples", "1024");
@@ -196,7 +196,7 @@ TEST(Desk, AMoveOvertakesALongPicture)
 
 TEST(Desk, APickedPointBecomesTheMiddle)
 {
-    Stock stock(false);
+    Stock stock({.cache = false});
     Desk desk(stock);
     Wish wish = small_wish("sphere");
     wish.eye = Eye(0.0, 0.0);
@@ -214,7 +214,7 @@ TEST(Desk, APickedPointBecomesTheMiddle)
 
 TEST(Desk, WhatCannotBeOpenedIsSaidAndTheOldPictureStays)
 {
-    Stock stock(false);
+    Stock stock({.cache = false});
     Desk desk(stock);
     Seat seat(desk, stock, small_wish("sphere"));
     seat.wait_for(Picture::Kind::rest, 0);
@@ -239,7 +239,7 @@ TEST(Desk, WhatCannotBeOpenedIsSaidAndTheOldPictureStays)
 
 TEST(Desk, ChangesThatAreRefusedChangeNothing)
 {
-    Stock stock(false);
+    Stock stock({.cache = false});
     Desk desk(stock);
     Seat seat(desk, stock, small_wish("sphere"));
     const std::string before = seat.session->state();
@@ -255,7 +255,7 @@ TEST(Desk, ChangesThatAreRefusedChangeNothing)
 
 TEST(Desk, EveryLayerCanBeLookedAt)
 {
-    Stock stock(false);
+    Stock stock({.cache = false});
     Desk desk(stock);
     Seat seat(desk, stock, small_wish("sphere"));
     std::uint64_t input = 0;

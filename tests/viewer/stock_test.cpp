@@ -44,7 +44,7 @@ bool eventually(Stock& stock, const cli::RenderArguments& arguments, Condition&&
 
 TEST(Stock, GivesTheSameSceneToEverybody)
 {
-    Stock stock(false);
+    Stock stock({.cache = false});
     const cli::RenderArguments arguments = arguments_for("sphere");
     stock.load(arguments);
     const Found<Model> one = stock.model(arguments), two = stock.model(arguments);
@@ -58,7 +58,7 @@ TEST(Stock, GivesTheSameSceneToEverybody)
 
 TEST(Stock, SaysWhatCannotBeLoaded)
 {
-    Stock stock(false);
+    Stock stock({.cache = false});
     try {
         stock.load(arguments_for("nowhere.glb"));
         ADD_FAILURE() << "loaded";
@@ -73,7 +73,7 @@ TEST(Stock, LoadsFilesAgainWhenTheyChangeAndKeepsTheOldWhenTheyBreak)
     const testing::Folder folder;
     const std::string file = folder.path("a.gltf");
     write(file, empty_model);
-    Stock stock(false);
+    Stock stock({.cache = false});
     const cli::RenderArguments arguments = arguments_for(file);
     stock.load(arguments);
     const std::shared_ptr<Model> first = stock.model(arguments).value;
@@ -94,7 +94,7 @@ TEST(Stock, LoadsFilesAgainWhenTheyChangeAndKeepsTheOldWhenTheyBreak)
 
 TEST(Stock, KeepsLittleThatNobodyLooksAt)
 {
-    Stock stock(false);
+    Stock stock({.cache = false});
     std::weak_ptr<Model> first;
     for (int i = 1; i < 30; ++i) {
         cli::RenderArguments arguments = arguments_for("plane");

@@ -3,6 +3,7 @@
 #include "apps/cli/bake_grammar.h"
 #include "apps/cli/compare_grammar.h"
 #include "apps/cli/grammar.h"
+#include "apps/cli/picture_grammar.h"
 #include "apps/cli/report_grammar.h"
 #include "apps/cli/serve_grammar.h"
 #include "apps/cli/values.h"
@@ -24,188 +25,17 @@ namespace {
 
 // Words as given; CLI11 fills these, and an empty one was not given.
 struct Words : CommonWords {
-    std::string size, camera, target, fov, aa;
-    std::string rotation, background, ambient, ibl, samples;
-    std::string model, mip_level, alpha, kd, ks, density;
-    std::string exposure, contrast, tone, space;
-    std::string backend, sun, turbidity;
+    std::string size, sun, turbidity;
     std::string bounces, spp, noise, time, seed;
-    std::vector<std::string> lights;
-    bool no_cache = false, no_compensation = false;
 };
-
-void add_view(CLI::App& app, RenderArguments& arguments, Words& words)
-{
-    option(app, "--size", words.size, "WxH", "Picture size in pixels (1280x720)");
-    option(app, "--camera", words.camera, "AZ,EL[,DIST]",
-           "Degrees around and above the scene, metres from its middle (frames it)");
-    option(app, "--target", words.target, "X,Y,Z",
-           "The point that --camera, with a distance, is around, metres (the scene's middle)");
-    option(app, "--camera-node", arguments.camera_node, "NAME", "A camera of the glTF");
-    option(app, "--fov", words.fov, "DEG", "Vertical field of view (45)");
-    option(app, "--aa", words.aa, "N", "Samples per pixel where surfaces end (4)");
-}
-
-void add_light(CLI::App& app, RenderArguments& arguments, Words& words)
-{
-    option(app, "--env", arguments.environment, "ENV",
-           "A panorama (.hdr, .exr), or kitchen, studio, sky, furnace, none (kitchen)");
-    option(app, "--env-rotation", words.rotation, "DEG", "Turn the environment about the vertical (0)");
-    option(app, "--background", words.background, "KIND", "env, none, R,G,B or blur:ROUGHNESS (env)");
-    app.add_option("--light", words.lights,
-                   "directional:AZ,EL,R,G,B (lux) or point:X,Y,Z,R,G,B (candela); repeatable")
-        ->type_name("LIGHT")
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-        ->expected(1)
-        ->allow_extra_args(false);
-    option(app, "--ambient-brightness", words.ambient, "B",
-           "Factor on diffuse environment light (1; the report's is 2)");
-    option(app, "--ibl", words.ibl, "METHOD",
-           "Specular environment light: sampled, or split-sum, 8 samples (sampled)");
-    option(app, "--samples", words.samples, "N", "Samples of the specular lobe (40)");
-    app.add_flag("--no-cache", words.no_cache, "Neither read nor write the environment cache");
-}
-
-void add_material(CLI::App& app, Words& words)
-{
-    option(app, "--model", words.model, "MODEL", "ggx, as glTF, or phong, as the report (ggx)");
-    option(app, "--mip-level", words.mip_level, "RULE",
-           "phong: matched to the lobe, or the report's own choice, which shows blocks (matched)");
-    option(app, "--alpha", words.alpha, "A", "phong, built-in shapes: exponent, above 0, at most 1e6");
-    option(app, "--kd", words.kd, "R,G,B", "phong, built-in shapes: diffuse colour");
-    option(app, "--ks", words.ks, "R,G,B", "phong, built-in shapes: specular colour");
-    option(app, "--density", words.density, "X",
-           "Built-in shapes: triangles along an edge, times the usual (1)");
-    app.add_flag("--no-energy-compensation", words.no_compensation,
-                 "ggx: leave out light scattered more than once");
-}
-
-void add_display(CLI::App& app, RenderArguments& arguments, Words& words)
-{
-    option(app, "--exposure", words.exposure, "E", "Factor on the light before the tone curve (1)");
-    option(app, "--contrast", words.contrast, "K", "Power on the curve's result (1)");
-    option(app, "--tone", words.tone, "CURVE", "reinhard, neutral, aces, agx or linear (reinhard)");
-    option(app, "--space", words.space, "SPACE",
-           "linear, or nonlinear: neither texels nor output converted (linear)");
-    app.add_flag("--dither", arguments.display.dither, "Noise of one code against banding");
-}
-
-void apply_view(const Words& words, RenderArguments& arguments)
-{
-    if (!words.size.empty()) {
-        const Size size = parse_size(words.size, "--size");
-        arguments.settings.width = size.width;
-        arguments.settings.height = size.height;
-    }
-    if (!words.camera.empty() && !arguments.camera_node.empty())
-        throw Error(Failure::usage, "--camera and --camera-node exclude each other");
-    if (!words.camera.empty())
-        arguments.orbit = parse_orbit(words.camera, "--camera");
-    if (!words.target.empty()) {
-        if (!arguments.orbit || arguments.orbit->distance <= 0.0f)
-            throw Error(Failure::usage, "--target: only with --camera AZ,EL,DIST");
-        arguments.target = parse_point(words.target, "--target");
-    }
-    if (!words.fov.empty())
-        arguments.vertical_fov = radians(number_in(words.fov, "--fov", 0.1, 175.0));
-    if (!words.aa.empty())
-        arguments.settings.edge_samples = whole_in(words.aa, "--aa", 1, 64);
-}
-
-void apply_light(const Words& words, RenderArguments& arguments)
-{
-    draw::Settings& settings = arguments.settings;
-    if (!words.rotation.empty())
-        settings.environment_rotation =
-            radians(std::remainder(parse_number(words.rotation, "--env-rotation"), 360.0));
-    if (!words.background.empty())
-        settings.background = parse_background(words.background, "--background");
-    for (const std::string& light : words.lights)
-        settings.lights.push_back(parse_light(light, "--light"));
-    if (!words.ambient.empty())
-        settings.ambient_brightness = number_in(words.ambient, "--ambient-brightness", 0.0, 1.0e6);
-    if (!words.samples.empty())
-        settings.samples = whole_in(words.samples, "--samples", 1, 65536);
-    if (!words.ibl.empty() && choose<bool>(words.ibl, "--ibl", {{"sampled", false}, {"split-sum", true}}))
-        settings.samples = draw::split_sum_samples;
-}
-
-void apply_material(const Words& words, RenderArguments& arguments)
-{
-    using draw::Model, draw::MipLevel;
-    draw::Settings& settings = arguments.settings;
-    if (!words.model.empty())
-        settings.model =
-            choose<Model>(words.model, "--model", {{"ggx", Model::ggx}, {"phong", Model::phong}});
-    if (!words.mip_level.empty())
-        settings.mip_level = choose<MipLevel>(words.mip_level, "--mip-level",
-                                              {{"matched", MipLevel::matched}, {"report", MipLevel::report}});
-    settings.energy_compensation = !words.no_compensation;
-    const bool phong = settings.model == Model::phong, built_in = scene::is_builtin(arguments.scene);
-    for (const auto& [name, word] :
-         {std::pair("--alpha", &words.alpha), {"--kd", &words.kd}, {"--ks", &words.ks}})
-        if (!word->empty() && !(phong && built_in))
-            throw Error(Failure::usage, text(name, ": only with --model phong and a built-in shape"));
-    if (!words.density.empty() && !built_in)
-        throw Error(Failure::usage, "--density: only with a built-in shape");
-    if (!words.alpha.empty()) {
-        arguments.builtin.exponent = positive(words.alpha, "--alpha");
-        number_in(words.alpha, "--alpha", 0.0, 1.0e6);
-    }
-    if (!words.kd.empty())
-        arguments.builtin.diffuse = parse_color(words.kd, "--kd");
-    if (!words.ks.empty())
-        arguments.builtin.specular = parse_color(words.ks, "--ks");
-    if (!words.density.empty())
-        arguments.builtin.density = number_in(words.density, "--density", 0.0625, 8.0);
-}
-
-void apply_display(const Words& words, RenderArguments& arguments)
-{
-    using display::Tone;
-    display::Settings& settings = arguments.display;
-    if (!words.exposure.empty())
-        settings.exposure = positive(words.exposure, "--exposure");
-    if (!words.contrast.empty())
-        settings.contrast = positive(words.contrast, "--contrast");
-    if (!words.tone.empty())
-        settings.tone = choose<Tone>(words.tone, "--tone",
-                                     {{"reinhard", Tone::reinhard},
-                                      {"neutral", Tone::neutral},
-                                      {"aces", Tone::aces},
-                                      {"agx", Tone::agx},
-                                      {"linear", Tone::linear}});
-    if (!words.space.empty())
-        settings.encode = choose<bool>(words.space, "--space", {{"linear", true}, {"nonlinear", false}});
-    // The report decodes its texels by the power that it encodes with; glTF's are sRGB.
-    using draw::TexelTransfer;
-    const bool phong = arguments.settings.model == draw::Model::phong;
-    arguments.settings.texel_transfer = !settings.encode ? TexelTransfer::none
-                                        : phong          ? TexelTransfer::power_2_2
-                                                         : TexelTransfer::srgb;
-}
 
 void add_output(CLI::App& app, std::string& output, const std::string& help)
 {
     app.add_option("-o,--output", output, help)->type_name("FILE")->required();
 }
 
-RenderArguments finished(const Words& words, RenderArguments arguments)
-{
-    arguments.common = common_options(words);
-    arguments.cache = !words.no_cache;
-    apply_view(words, arguments);
-    apply_light(words, arguments);
-    apply_material(words, arguments);
-    apply_display(words, arguments);
-    if (!words.backend.empty())
-        arguments.backend = choose_backend(words.backend);
-    return arguments;
-}
-
 ReferenceArguments finished(const Words& words, ReferenceArguments arguments)
 {
-    arguments.picture = finished(words, arguments.picture);
     if (arguments.picture.backend == Backend::vulkan)
         throw Error(Failure::usage,
                     "--backend: vulkan draws, but does not trace: references are made by cpu");
@@ -251,7 +81,8 @@ struct Grammar {
         "Physically based and image based lighting: pictures of models under the light of real places.",
         "lambent"};
     Words words;
-    RenderArguments render;
+    PictureGrammar picture; ///< of render, or of reference
+    std::string output, layers;
     ReferenceArguments reference;
     EnvArguments env;
     InfoArguments info;
@@ -285,8 +116,8 @@ struct Grammar {
     void add_render()
     {
         render_command = app.add_subcommand("render", "Draw a picture of a scene");
-        add_picture(*render_command, render);
-        option(*render_command, "--layers", render.layers, "DIR",
+        add_picture(*render_command);
+        option(*render_command, "--layers", layers, "DIR",
                "Also write each layer of the G-buffer and of the light");
     }
 
@@ -294,7 +125,7 @@ struct Grammar {
     {
         reference_command = app.add_subcommand("reference", "The same picture, path-traced");
         CLI::App& command = *reference_command;
-        add_picture(command, reference.picture);
+        add_picture(command);
         option(command, "--bounces", words.bounces, "N",
                "Bounces of light; 0: direct light without shadows, 1: with shadows (8)");
         option(command, "--spp", words.spp, "N", "Stop at N samples per pixel (1024, if no limit is given)");
@@ -308,20 +139,18 @@ struct Grammar {
                          "As many samples for every pixel; so with --spp alone");
     }
 
-    // What every command that makes a picture of a scene understands.
-    void add_picture(CLI::App& command, RenderArguments& picture)
+    void add_picture(CLI::App& command)
     {
-        command.add_option("scene", picture.scene, "A .gltf or .glb, or a built-in scene")
-            ->type_name("SCENE")
-            ->required();
-        add_output(command, picture.output,
-                   "The picture: .png .jpg (as displayed), .exr .hdr (linear radiance)");
-        add_light(command, picture, words);
-        add_view(command, picture, words);
-        add_material(command, words);
-        add_display(command, picture, words);
-        option(command, "--backend", words.backend, "NAME", "auto, cpu, or to draw vulkan (auto)");
-        add_common(command, words);
+        picture.add(command);
+        add_output(command, output, "The picture: .png .jpg (as displayed), .exr .hdr (linear radiance)");
+    }
+
+    RenderArguments picture_result() const
+    {
+        RenderArguments arguments = picture.result();
+        arguments.output = output;
+        arguments.layers = layers;
+        return arguments;
     }
 
     void add_env()
@@ -354,9 +183,11 @@ struct Grammar {
     Arguments result()
     {
         if (render_command->parsed())
-            return finished(words, render);
-        if (reference_command->parsed())
+            return picture_result();
+        if (reference_command->parsed()) {
+            reference.picture = picture_result();
             return finished(words, reference);
+        }
         if (bake.parsed())
             return bake.result();
         if (compare.parsed())

@@ -13,7 +13,9 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
+#include <vector>
 
 namespace lambent::cli {
 
@@ -26,7 +28,7 @@ struct CommonOptions {
     bool stats_json = false;
 };
 
-/// Who draws or bakes. Automatic is the processor: see docs/VULKAN.md.
+/// Who draws or bakes. Automatic: a graphics device where there is one, else the processor.
 enum class Backend { automatic, cpu, vulkan };
 
 struct RenderArguments {
@@ -111,22 +113,25 @@ struct ReportArguments {
     bool cache = true;             ///< of environments
 };
 
+/// What a viewer shows at first.
+struct StartArguments {
+    RenderArguments picture; ///< as `render` understands the words; without an output
+
+    /// The options with one word that were given: names without dashes, and words. And those of --light.
+    std::vector<std::pair<std::string, std::string>> words;
+    std::vector<std::string> lights;
+};
+
 struct ViewArguments {
-    CommonOptions common;
-    std::string scene;
-    std::string environment = "kitchen";
-    bool cache = true; ///< of environments
+    StartArguments start;
 };
 
 struct ServeArguments {
-    CommonOptions common;
-    std::string scene;
-    std::string environment = "kitchen";
+    StartArguments start;
     std::string host = "127.0.0.1"; ///< an address, or localhost
     std::uint16_t port = 8080;      ///< 0: any that is free
     std::string token;              ///< empty: none
     int sessions = 8;               ///< at once
-    bool cache = true;              ///< of environments
 };
 
 struct EnvArguments {

@@ -124,7 +124,7 @@ void bake_to_files(const BakeArguments& arguments, const Interrupt& interrupt, C
             throw Stopped();
     };
     const ThreadLimit limit(arguments.common.threads);
-    const Filler filler = make_filler(arguments);
+    const Filler filler = make_filler(arguments, [&](const std::string& line) { console.warn({line}); });
     Stopwatch watch;
     Warnings warnings;
     const environment::Panorama panorama = load(arguments, warnings);

@@ -18,7 +18,8 @@ struct Filler {
     std::function<std::optional<double>()> milliseconds;
 };
 
-/// Throws Error(no_device), with Backend::vulkan also where this program was built without it.
-Filler make_filler(const BakeArguments& arguments);
+/// Backend::automatic: hardware where there is some and it works, else the processor, after `warn` was told in one line
+/// what failed. Throws Error(no_device), with Backend::vulkan also where this program was built without it.
+Filler make_filler(const BakeArguments& arguments, const std::function<void(const std::string&)>& warn);
 
 } // namespace lambent::cli

@@ -1,23 +1,39 @@
 #include "apps/cli/make_renderer.h"
 
 #include "base/error.h"
+#include "base/text.h"
 #include "draw/cpu/cpu_renderer.h"
+#include "draw/rescued_renderer.h"
 
 #ifdef LAMBENT_VULKAN
 #include "apps/cli/device_options.h"
+#include "apps/cli/on_hardware.h"
 #endif
 
 namespace lambent::cli {
 
-std::unique_ptr<draw::Renderer> make_renderer(const RenderArguments& arguments, const scene::Scene& scene)
+std::unique_ptr<draw::Renderer> make_renderer(const RendererChoice& choice, const scene::Scene& scene)
 {
-    if (arguments.backend != Backend::vulkan)
+    if (choice.backend == Backend::cpu)
         return draw::make_cpu_renderer(scene);
 #ifdef LAMBENT_VULKAN
-    return draw::make_vulkan_renderer(scene, device_options(arguments.cache));
+    draw::VulkanOptions options = device_options(choice.cache);
+    if (choice.backend == Backend::vulkan)
+        return draw::make_vulkan_renderer(scene, options);
+    options.software = false;
+    const auto warn = [warn = choice.warn](const std::string& line) {
+        warn(text(line, "; the processor goes on"));
+    };
+    std::unique_ptr<draw::Renderer> device =
+        on_hardware([&] { return draw::make_vulkan_renderer(scene, options); }, warn);
+    if (device)
+        return draw::make_rescued_renderer(
+            std::move(device), [&scene] { return draw::make_cpu_renderer(scene); }, warn);
 #else
-    throw Error(Failure::no_device, "--backend vulkan: this program was built without Vulkan");
+    if (choice.backend == Backend::vulkan)
+        throw Error(Failure::no_device, "--backend vulkan: this program was built without Vulkan");
 #endif
+    return draw::make_cpu_renderer(scene);
 }
 
 } // namespace lambent::cli

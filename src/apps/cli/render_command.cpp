@@ -66,7 +66,8 @@ void run(const RenderArguments& arguments)
     draw::Settings settings = arguments.settings;
     settings.camera = choose_camera(arguments, scene);
     settings.layers = !arguments.layers.empty();
-    const std::unique_ptr<draw::Renderer> renderer = make_renderer(arguments, scene);
+    const std::unique_ptr<draw::Renderer> renderer = make_renderer(
+        {arguments.backend, arguments.cache, [&](const std::string& line) { console.warn({line}); }}, scene);
     const draw::Frame frame = renderer->draw(loaded.environment ? &*loaded.environment : nullptr, settings,
                                              [&](float done) { console.progress(done); });
     console.end_progress();

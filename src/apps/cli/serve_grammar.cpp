@@ -5,27 +5,18 @@ namespace lambent::cli {
 void ServeGrammar::add(CLI::App& app)
 {
     command_ = app.add_subcommand("serve", "Show a scene in browsers, to be turned and lit");
-    command_->add_option("scene", arguments_.scene, "A .gltf or .glb, or a built-in scene")
-        ->type_name("SCENE")
-        ->required();
-    option(*command_, "--env", arguments_.environment, "ENV",
-           "A panorama (.hdr, .exr), or kitchen, studio, sky, furnace, none (kitchen)");
+    picture_.add(*command_);
     option(*command_, "--port", port_, "P", "The port to listen at; 0: any that is free (8080)");
     option(*command_, "--host", arguments_.host, "ADDR", "The address to listen at (127.0.0.1)");
     option(*command_, "--token", arguments_.token, "T",
            "What viewers must know; needed where others than this machine can come in");
     option(*command_, "--sessions", sessions_, "N", "Viewers at once (8)");
-    command_->add_flag("--no-cache", no_cache_, "Neither read nor write the environment cache");
-    add_common(*command_, common_);
 }
 
 ServeArguments ServeGrammar::result() const
 {
     ServeArguments arguments = arguments_;
-    arguments.common = common_options(common_);
-    if (arguments.common.stats_json)
-        throw Error(Failure::usage, "--stats: a server never ends its work");
-    arguments.cache = !no_cache_;
+    arguments.start = picture_.start();
     if (!port_.empty())
         arguments.port = static_cast<std::uint16_t>(whole_in(port_, "--port", 0, 65535));
     if (!sessions_.empty())

@@ -1,8 +1,7 @@
 // The part of the command line that belongs to `lambent serve`.
 #pragma once
 
-#include "apps/cli/arguments.h"
-#include "apps/cli/grammar.h"
+#include "apps/cli/picture_grammar.h"
 
 namespace lambent::cli {
 
@@ -19,10 +18,9 @@ public:
 
 private:
     CLI::App* command_ = nullptr;
-    CommonWords common_;
+    PictureGrammar picture_;
     ServeArguments arguments_;
     std::string port_, sessions_;
-    bool no_cache_ = false;
 };
 
 } // namespace lambent::cli

@@ -14,16 +14,32 @@ namespace lambent::cli {
 namespace {
 
 // The words that the window's own program reads its arguments from again.
-std::vector<std::string> words_of(const ViewArguments& arguments)
+std::vector<std::string> words_of(const StartArguments& start)
 {
-    std::vector<std::string> words = {"lambent", "view", "--env", arguments.environment};
-    if (!arguments.cache)
-        words.emplace_back("--no-cache");
-    if (arguments.common.threads > 0)
-        words.insert(words.end(), {"--threads", text(arguments.common.threads)});
-    if (arguments.common.verbosity != Verbosity::normal)
-        words.emplace_back(arguments.common.verbosity == Verbosity::quiet ? "--quiet" : "--verbose");
-    words.insert(words.end(), {"--", arguments.scene}); // a name may look like an option
+    const RenderArguments& picture = start.picture;
+    std::vector<std::string> words = {"lambent", "view"};
+    const auto add = [&](const std::string& option, const std::string& word) {
+        words.insert(words.end(), {option, word});
+    };
+    const auto add_flag = [&](bool given, const char* flag) {
+        if (given)
+            words.emplace_back(flag);
+    };
+    add("--env", picture.environment);
+    for (const auto& [name, word] : start.words)
+        add("--" + name, word);
+    for (const std::string& light : start.lights)
+        add("--light", light);
+    if (!picture.camera_node.empty())
+        add("--camera-node", picture.camera_node);
+    if (picture.common.threads > 0)
+        add("--threads", text(picture.common.threads));
+    add_flag(!picture.cache, "--no-cache");
+    add_flag(!picture.settings.energy_compensation, "--no-energy-compensation");
+    add_flag(picture.display.dither, "--dither");
+    add_flag(picture.common.verbosity == Verbosity::quiet, "--quiet");
+    add_flag(picture.common.verbosity == Verbosity::verbose, "--verbose");
+    add("--", picture.scene); // a name may look like an option
     return words;
 }
 
@@ -39,7 +55,7 @@ void run(const ViewArguments& arguments)
         throw Error(Failure::no_device, text("view: ", window.string(),
                                              " is not there: built without GLFW or Dear ImGui; lambent serve "
                                              "shows the same in a browser"));
-    std::vector<std::string> words = words_of(arguments);
+    std::vector<std::string> words = words_of(arguments.start);
     std::vector<char*> pointers;
     for (std::string& word : words)
         pointers.push_back(word.data());

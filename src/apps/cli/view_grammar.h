@@ -1,8 +1,7 @@
 // The part of the command line that belongs to `lambent view`.
 #pragma once
 
-#include "apps/cli/arguments.h"
-#include "apps/cli/grammar.h"
+#include "apps/cli/picture_grammar.h"
 
 namespace lambent::cli {
 
@@ -15,13 +14,11 @@ public:
     bool parsed() const { return command_->parsed(); }
 
     /// Throws Error(usage).
-    ViewArguments result() const;
+    ViewArguments result() const { return {picture_.start()}; }
 
 private:
     CLI::App* command_ = nullptr;
-    CommonWords common_;
-    ViewArguments arguments_;
-    bool no_cache_ = false;
+    PictureGrammar picture_;
 };
 
 } // namespace lambent::cli

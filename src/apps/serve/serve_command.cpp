@@ -2,6 +2,7 @@
 #include "apps/cli/console.h"
 #include "apps/cli/threads.h"
 #include "apps/serve/server.h"
+#include "apps/viewer/load_first.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "environment/builtin.h"
@@ -14,13 +15,13 @@ namespace lambent::cli {
 namespace {
 
 // The folders of the files that were named: what viewers may open.
-std::vector<std::filesystem::path> folders(const ServeArguments& arguments)
+std::vector<std::filesystem::path> folders(const RenderArguments& picture)
 {
     std::vector<std::filesystem::path> folders;
-    if (!scene::is_builtin(arguments.scene))
-        folders.push_back(std::filesystem::path(arguments.scene).parent_path());
-    if (arguments.environment != "none" && !environment::is_builtin(arguments.environment))
-        folders.push_back(std::filesystem::path(arguments.environment).parent_path());
+    if (!scene::is_builtin(picture.scene))
+        folders.push_back(std::filesystem::path(picture.scene).parent_path());
+    if (picture.environment != "none" && !environment::is_builtin(picture.environment))
+        folders.push_back(std::filesystem::path(picture.environment).parent_path());
     return folders;
 }
 
@@ -31,18 +32,16 @@ void run(const ServeArguments& arguments)
     if (!serve::is_loopback(arguments.host) && arguments.token.empty())
         throw Error(Failure::usage,
                     text("--host ", arguments.host, ": others could come in: --token is needed"));
-    const ThreadLimit limit(arguments.common.threads);
-    const Console console(arguments.common.verbosity);
-    viewer::Wish start{arguments.scene, arguments.environment, {}, viewer::first_eye(arguments.scene), {}};
-    viewer::Stock stock(arguments.cache);
-    const RenderArguments first = viewer::arguments_of(start);
-    stock.load(first);
-    console.warn(stock.model(first).value->warnings());
-    console.warn(stock.environment(arguments.environment).value->warnings);
+    const RenderArguments& picture = arguments.start.picture;
+    const ThreadLimit limit(picture.common.threads);
+    const Console console(picture.common.verbosity);
+    viewer::Stock stock(
+        {picture.cache, picture.backend, [&](const std::string& line) { console.warn({line}); }});
+    const viewer::Wish start = viewer::load_first(arguments.start, stock, console);
     viewer::Desk desk(stock);
     serve::ServerOptions options{arguments.host, arguments.port, arguments.token, {}};
     options.limits.sessions = arguments.sessions;
-    serve::Server server(options, start, serve::FileList(folders(arguments)), stock, desk);
+    serve::Server server(options, start, serve::FileList(folders(picture)), stock, desk);
     server.stop_on_signals();
     std::printf("%s\n", server.url().c_str());
     if (std::fflush(stdout) != 0)

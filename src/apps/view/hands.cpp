@@ -3,6 +3,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace lambent::view_window {
@@ -44,7 +45,8 @@ void expose(Session& session, double factor)
 {
     session.change(0, [&](Wish& wish, const Eye::World&) {
         const double exposure = std::stod(wish.values["exposure"]) * factor;
-        wish.values.set("exposure", viewer::number_word(std::fmin(std::fmax(exposure, 0.01), 100.0)));
+        wish.values.set("exposure", viewer::number_word(
+                                        std::clamp(exposure, viewer::least_exposure, viewer::most_exposure)));
     });
 }
 

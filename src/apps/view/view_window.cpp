@@ -9,6 +9,7 @@
 #include "apps/view/screen.h"
 #include "apps/view/window.h"
 #include "apps/viewer/desk.h"
+#include "apps/viewer/load_first.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/text.h"
@@ -71,12 +72,10 @@ std::string free_name(const std::string& name)
 // The window's thread; pictures are drawn by the desk's.
 class View {
 public:
-    View(const cli::ViewArguments& arguments, const Memory& memory, viewer::Stock& stock)
-        : window_(text(arguments.scene, " - lambent"), memory.place), desk_(stock),
+    View(viewer::Wish start, const Memory& memory, viewer::Stock& stock)
+        : window_(text(start.scene, " - lambent"), memory.place), desk_(stock),
           screen_(std::make_shared<Screen>()), state_{memory.panel, false}
     {
-        viewer::Wish start{
-            arguments.scene, arguments.environment, {}, viewer::first_eye(arguments.scene), {}};
         const Window::Pixels pixels = window_.pixels();
         viewer::set_size(start, pixels.width, pixels.height);
         session_ = std::make_shared<viewer::Session>(start, stock, screen_);
@@ -207,13 +206,16 @@ private:
 
 void run(const cli::ViewArguments& arguments)
 {
-    const cli::ThreadLimit limit(arguments.common.threads);
-    cli::Console console(arguments.common.verbosity);
-    const Memory memory = remembered(console);
-    viewer::Stock stock(arguments.cache);
-    viewer::Wish first{arguments.scene, arguments.environment, {}, viewer::first_eye(arguments.scene), {}};
-    stock.load(viewer::arguments_of(first));
-    View view(arguments, memory, stock);
+    const cli::RenderArguments& picture = arguments.start.picture;
+    const cli::ThreadLimit limit(picture.common.threads);
+    cli::Console console(picture.common.verbosity);
+    Memory memory = remembered(console);
+    for (const auto& [name, word] : arguments.start.words)
+        if (name == "size")
+            memory.place = {picture.settings.width, picture.settings.height};
+    viewer::Stock stock(
+        {picture.cache, picture.backend, [&](const std::string& line) { console.warn({line}); }});
+    View view(viewer::load_first(arguments.start, stock, console), memory, stock);
     remember(view.run());
 }
 

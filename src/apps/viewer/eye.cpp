@@ -79,8 +79,11 @@ std::vector<std::string> Eye::options() const
     const std::string angles = text(number_word(azimuth_), ",", number_word(elevation_));
     if (!distance_)
         return {"--camera", angles};
-    return {"--camera", text(angles, ",", number_word(*distance_)), "--target",
-            text(number_word(target_->x), ",", number_word(target_->y), ",", number_word(target_->z))};
+    std::vector<std::string> options = {"--camera", text(angles, ",", number_word(*distance_))};
+    if (target_)
+        options.insert(options.end(), {"--target", text(number_word(target_->x), ",", number_word(target_->y),
+                                                        ",", number_word(target_->z))});
+    return options;
 }
 
 glm::dvec3 Eye::target(const World& world) const

@@ -22,6 +22,12 @@ public:
     Eye() = default;
     Eye(double azimuth, double elevation) : azimuth_(azimuth), elevation_(elevation) {}
 
+    /// At a distance above 0 from a point; without one from the scene's middle.
+    Eye(double azimuth, double elevation, double distance, const std::optional<glm::dvec3>& target)
+        : azimuth_(azimuth), elevation_(elevation), distance_(distance), target_(target)
+    {
+    }
+
     /// What moves are measured by: the scene's box, and how far the eye is from its middle when it frames all.
     struct World {
         scene::Bounds bounds;

@@ -18,8 +18,8 @@ namespace {
 constexpr double most_samples = 1024.0, most_edge_samples = 16.0;
 
 constexpr std::array table = {
-    Parameter{"exposure", "Exposure", "Display", Kind::number, "1", 0.01, 100.0, true},
-    Parameter{"contrast", "Contrast", "Display", Kind::number, "1", 0.1, 4.0, true},
+    Parameter{"exposure", "Exposure", "Display", Kind::number, "1", least_exposure, most_exposure, true},
+    Parameter{"contrast", "Contrast", "Display", Kind::number, "1", 0.05, 20.0, true},
     Parameter{"tone", "Tone curve", "Display", Kind::choice, "reinhard", 0, 0, false,
               "reinhard neutral aces agx linear"},
     Parameter{"space", "Space", "Display", Kind::choice, "linear", 0, 0, false, "linear nonlinear"},
@@ -27,17 +27,17 @@ constexpr std::array table = {
               "picture base_color specular alpha metalness normal depth occlusion irradiance light_emitted "
               "light_direct light_ambient light_specular background"},
     Parameter{"env-rotation", "Rotation", "Light", Kind::number, "0", -180.0, 180.0},
-    Parameter{"ambient-brightness", "Diffuse brightness", "Light", Kind::number, "1", 0.0, 10.0},
+    Parameter{"ambient-brightness", "Diffuse brightness", "Light", Kind::number, "1", 0.0, 20.0},
     Parameter{"ibl", "Specular light", "Light", Kind::choice, "sampled", 0, 0, false, "sampled split-sum"},
     Parameter{"samples", "Samples", "Light", Kind::whole, "40", 1.0, most_samples, true},
     Parameter{"background", "Background", "Light", Kind::choice, "env", 0, 0, false,
               "env none blur:0.2 blur:0.4 blur:0.7 0,0,0 0.2,0.2,0.2 1,1,1"},
     Parameter{"model", "Model", "Surfaces", Kind::choice, "ggx", 0, 0, false, "ggx phong"},
     Parameter{"mip-level", "Mip level", "Surfaces", Kind::choice, "matched", 0, 0, false, "matched report"},
-    Parameter{"alpha", "Exponent", "Surfaces", Kind::number, "", 1.0, 1.0e6, true, {}, true},
+    Parameter{"alpha", "Exponent", "Surfaces", Kind::number, "", 0.01, 1.0e6, true, {}, true},
     Parameter{"kd", "Diffuse colour", "Surfaces", Kind::color, "", 0.0, 1.0, false, {}, true},
     Parameter{"ks", "Specular colour", "Surfaces", Kind::color, "", 0.0, 1.0, false, {}, true},
-    Parameter{"fov", "Field of view", "Camera", Kind::number, "45", 5.0, 120.0},
+    Parameter{"fov", "Field of view", "Camera", Kind::number, "45", least_fov, most_fov},
     Parameter{"aa", "Edge samples", "Camera", Kind::whole, "4", 1.0, most_edge_samples},
 };
 
@@ -65,6 +65,11 @@ void check_range(const Parameter& row, double value)
 
 std::string checked_choice(const Parameter& row, const std::string& word)
 {
+    // The list has a few of what there may be.
+    if (row.name == "background") {
+        cli::parse_background(word, "background");
+        return word;
+    }
     const std::vector<std::string> words = words_of(row.choices);
     if (std::find(words.begin(), words.end(), word) == words.end())
         throw Error(Failure::usage, text(row.name, ": '", word.substr(0, 40), "' is none of ", row.choices));

@@ -19,6 +19,9 @@ enum class Kind {
     color,  ///< "R,G,B", each from 0 to most
 };
 
+/// From the report's darkest picture to its brightest; what --fov takes is a little wider.
+constexpr double least_exposure = 1e-3, most_exposure = 1e4, least_fov = 1.0, most_fov = 170.0;
+
 /// A row of the table. Values are words, as on the command line; an empty one is not given.
 struct Parameter {
     std::string_view name; ///< with "--" before it the option of `lambent render`, but for `layer`

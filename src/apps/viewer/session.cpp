@@ -15,8 +15,6 @@
 namespace lambent::viewer {
 namespace {
 
-constexpr double degrees = 180.0 / std::numbers::pi;
-
 // A picture of more samples than this is preceded by one that is whole sooner.
 constexpr int many_samples = 80;
 
@@ -31,12 +29,6 @@ void make_fast(cli::RenderArguments& arguments, double scale)
 }
 
 } // namespace
-
-Eye first_eye(const std::string& scene)
-{
-    const view::Orbit orbit = cli::default_orbit(scene);
-    return {static_cast<double>(orbit.azimuth) * degrees, static_cast<double>(orbit.elevation) * degrees};
-}
 
 Session::Session(Wish start, Stock& stock, std::shared_ptr<Presenter> presenter)
     : stock_(stock), presenter_(std::move(presenter)), start_(std::move(start)), wish_(start_)
@@ -81,7 +73,8 @@ void Session::reset(std::uint64_t input)
     wish_.environment = old.environment;
     wish_.width = old.width;
     wish_.height = old.height;
-    wish_.eye = first_eye(wish_.scene);
+    if (wish_.scene != start_.scene)
+        wish_.eye = first_eye(wish_.scene);
     error_.clear();
     announce_ = true;
     touch(input);

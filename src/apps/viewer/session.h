@@ -126,7 +126,4 @@ private:
     Clock::time_point last_input_{};
 };
 
-/// Where a scene is looked at from at first.
-Eye first_eye(const std::string& scene);
-
 } // namespace lambent::viewer

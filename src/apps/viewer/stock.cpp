@@ -2,7 +2,6 @@
 
 #include "apps/cli/picture_setup.h"
 #include "base/text.h"
-#include "draw/cpu/cpu_renderer.h"
 #include "environment/builtin.h"
 #include "scene/builtin.h"
 
@@ -35,17 +34,18 @@ std::string model_key(const cli::RenderArguments& arguments)
                 options.exponent.value_or(0.0f), " ", options.density);
 }
 
-std::shared_ptr<void> load_model(const cli::RenderArguments& arguments)
+std::shared_ptr<void> load_model(const cli::RenderArguments& arguments, const cli::RendererChoice& backend)
 {
     Warnings warnings;
     scene::Scene scene = cli::load_scene(arguments, warnings);
-    return std::make_shared<Model>(std::move(scene), std::move(warnings));
+    return std::make_shared<Model>(std::move(scene), std::move(warnings), backend);
 }
 
 } // namespace
 
-Model::Model(scene::Scene scene, Warnings warnings)
-    : scene_(std::move(scene)), bounds_(scene::bounds(scene_)), warnings_(std::move(warnings))
+Model::Model(scene::Scene scene, Warnings warnings, cli::RendererChoice backend)
+    : scene_(std::move(scene)), bounds_(scene::bounds(scene_)), warnings_(std::move(warnings)),
+      backend_(std::move(backend))
 {
 }
 
@@ -53,11 +53,11 @@ draw::Renderer& Model::renderer(draw::TexelTransfer transfer)
 {
     std::unique_ptr<draw::Renderer>& renderer = renderers_[transfer];
     if (!renderer)
-        renderer = draw::make_cpu_renderer(scene_);
+        renderer = cli::make_renderer(backend_, scene_);
     return *renderer;
 }
 
-Stock::Stock(bool cache) : cache_(cache), thread_([this] { work(); }) {}
+Stock::Stock(StockOptions options) : options_(std::move(options)), thread_([this] { work(); }) {}
 
 Stock::~Stock()
 {
@@ -94,15 +94,18 @@ Found<T> Stock::find(const std::string& key, const std::string& file, const Load
 Found<Model> Stock::model(const cli::RenderArguments& arguments)
 {
     const std::string file = scene::is_builtin(arguments.scene) ? "" : arguments.scene;
-    return find<Model>(model_key(arguments), file, [arguments] { return load_model(arguments); });
+    return find<Model>(model_key(arguments), file, [arguments, options = options_] {
+        return load_model(arguments, {options.backend, options.cache, options.warn});
+    });
 }
 
 Found<const cli::LoadedEnvironment> Stock::environment(const std::string& name)
 {
     const std::string file = name == "none" || environment::is_builtin(name) ? "" : name;
-    return find<const cli::LoadedEnvironment>(text("environment\n", name), file, [name, cache = cache_] {
-        return std::make_shared<cli::LoadedEnvironment>(cli::load_environment(name, cache));
-    });
+    return find<const cli::LoadedEnvironment>(
+        text("environment\n", name), file, [name, cache = options_.cache] {
+            return std::make_shared<cli::LoadedEnvironment>(cli::load_environment(name, cache));
+        });
 }
 
 Stock::Slot& Stock::wait_for(const std::string& key, std::unique_lock<std::mutex>& lock)

@@ -1,16 +1,22 @@
 #include "apps/viewer/wish.h"
 
+#include "apps/cli/picture_setup.h"
 #include "apps/cli/values.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "scene/builtin.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <variant>
 
 namespace lambent::viewer {
 namespace {
+
+constexpr double degrees = 180.0 / std::numbers::pi;
 
 // A file whose name looks like an option is none.
 std::string as_file(const std::string& name)
@@ -18,7 +24,66 @@ std::string as_file(const std::string& name)
     return name.starts_with('-') ? text("./", name) : name;
 }
 
+// The word of --camera, with the point that --target names.
+Eye eye_of(const std::string& word, const std::optional<glm::vec3>& target)
+{
+    const std::vector<double> numbers = cli::parse_list(word, {2, 3}, "--camera");
+    if (numbers.size() == 2)
+        return {numbers[0], numbers[1]};
+    return {numbers[0], numbers[1], numbers[2], target ? std::optional(glm::dvec3(*target)) : std::nullopt};
+}
+
 } // namespace
+
+Eye first_eye(const std::string& scene)
+{
+    const view::Orbit orbit = cli::default_orbit(scene);
+    return {static_cast<double>(orbit.azimuth) * degrees, static_cast<double>(orbit.elevation) * degrees};
+}
+
+Wish first_wish(const cli::StartArguments& start)
+{
+    const cli::RenderArguments& picture = start.picture;
+    Wish wish{picture.scene, picture.environment, {}, first_eye(picture.scene), start.lights};
+    set_size(wish, picture.settings.width, picture.settings.height);
+    for (const auto& [name, word] : start.words) {
+        if (name == "camera")
+            wish.eye = eye_of(word, picture.target);
+        else if (name == "backend")
+            wish.fixed.insert(wish.fixed.end(), {"--backend", word});
+        else if (name == "density")
+            wish.density = word;
+        else if (name == "env-rotation")
+            turn_environment(wish, cli::parse_number(word, name));
+        else if (name != "size" && name != "target")
+            wish.values.set(name, word);
+    }
+    if (!picture.settings.energy_compensation)
+        wish.fixed.emplace_back("--no-energy-compensation");
+    if (picture.display.dither)
+        wish.fixed.emplace_back("--dither");
+    return wish;
+}
+
+void look_through(Wish& wish, const scene::Scene& scene, const std::string& camera)
+{
+    cli::RenderArguments asked;
+    asked.scene = wish.scene;
+    asked.camera_node = camera;
+    const view::Camera found = cli::choose_camera(asked, scene);
+    const glm::dvec3 back(found.back), position(found.position);
+    const double far_enough = 1e-3 * radius_of(scene::bounds(scene));
+    double distance = std::max(glm::dot(position - middle_of(scene::bounds(scene)), back), far_enough);
+    if (found.vertical_fov > 0.0f) {
+        const double fov = static_cast<double>(found.vertical_fov) * degrees;
+        wish.values.set("fov", number_word(std::clamp(fov, least_fov, most_fov)));
+    } else {
+        const double fov = std::stod(wish.values["fov"]) / degrees;
+        distance = 0.5 * static_cast<double>(found.vertical_size) / std::tan(0.5 * fov);
+    }
+    wish.eye = {std::atan2(back.x, back.z) * degrees, std::asin(std::clamp(back.y, -1.0, 1.0)) * degrees,
+                distance, position - distance * back};
+}
 
 void set_lights(Wish& wish, const std::vector<std::string>& lights)
 {
@@ -62,6 +127,9 @@ std::vector<std::string> words_of(const Wish& wish)
     add(wish.values.options(scene::is_builtin(wish.scene)));
     for (const std::string& light : wish.lights)
         add({"--light", light});
+    if (!wish.density.empty() && scene::is_builtin(wish.scene))
+        add({"--density", wish.density});
+    add(wish.fixed);
     return words;
 }
 

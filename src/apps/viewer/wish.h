@@ -16,11 +16,23 @@ struct Wish {
     Eye eye;
     std::vector<std::string> lights; ///< words of --light, checked
     int width = 1280, height = 720;
+    std::vector<std::string> fixed = {}; ///< more options of `render`, which nobody changes
+    std::string density = {};            ///< word of --density, for built-in shapes; empty: not given
 };
 
 /// At most this many lights, and this many pixels in a picture.
 constexpr std::size_t most_lights = 16;
 constexpr int most_pixels = 2560 * 1600;
+
+/// What a command line asks to see at first. Throws Error(usage) where a value is none that can be set (parameters.cpp).
+Wish first_wish(const cli::StartArguments& start);
+
+/// Where a scene is looked at from at first.
+Eye first_eye(const std::string& scene);
+
+/// The view of a camera of the scene, upright. `wish` gets its field of view; an orthographic one becomes one that sees as
+/// much at the scene's middle. Throws Error(usage) where there is no camera of this name.
+void look_through(Wish& wish, const scene::Scene& scene, const std::string& camera);
 
 /// Checks the words and takes them. Throws Error(usage) with one line.
 void set_lights(Wish& wish, const std::vector<std::string>& lights);

@@ -15,7 +15,7 @@ namespace lambent::draw {
 /// Does what environment::prefilter_faces does, of the same trees.
 class DevicePrefilter {
 public:
-    /// Throws Error(no_device) as make_vulkan_renderer does.
+    /// Throws as make_vulkan_renderer does.
     explicit DevicePrefilter(const VulkanOptions& options);
     ~DevicePrefilter();
 

@@ -23,8 +23,8 @@ public:
     virtual std::vector<std::string> complaints() const = 0;
 };
 
-/// A renderer of `scene`, which must outlive it. Throws Error(no_device) where there is no Vulkan library, no device that
-/// will do, or not enough of its memory; the last also when drawing.
+/// A renderer of `scene`, which must outlive it. Throws vulkan::NoSuchDevice where there is no Vulkan library or no device
+/// that will do; Error(no_device) where it fails or has not enough memory, also when drawing.
 std::unique_ptr<VulkanRenderer> make_vulkan_renderer(const scene::Scene& scene,
                                                      const VulkanOptions& options = {});
 

@@ -1,0 +1,18 @@
+#include "apps/viewer/load_first.h"
+
+namespace lambent::viewer {
+
+Wish load_first(const cli::StartArguments& arguments, Stock& stock, const cli::Console& console)
+{
+    Wish wish = first_wish(arguments);
+    const cli::RenderArguments first = arguments_of(wish);
+    stock.load(first);
+    const std::shared_ptr<Model> model = stock.model(first).value;
+    console.warn(model->warnings());
+    console.warn(stock.environment(first.environment).value->warnings);
+    if (const std::string& camera = arguments.picture.camera_node; !camera.empty())
+        look_through(wish, model->scene(), camera);
+    return wish;
+}
+
+} // namespace lambent::viewer
