@@ -38,6 +38,14 @@ function trouble(line) {
     at('trouble').hidden = !line;
 }
 
+const percent = part => `${(100 * part).toPrecision(2)} %`;
+
+function tracedStatus(size, { traced, last }) {
+    const { samples, noise, error, flip } = traced;
+    return `${size}, traced: ${Math.round(samples)} samples${noise > 0 ? `, noise ${percent(noise)}` : ''}; drawn picture's error ` +
+        `${percent(error)}${flip === undefined ? '' : `, FLIP ${flip.toFixed(3)}`}${last ? '' : ', refining'}`;
+}
+
 const recent = [];
 function showStatus(header) {
     const now = performance.now();
@@ -46,6 +54,10 @@ function showStatus(header) {
     const moving = header.kind === 'moving';
     const rate = moving && recent.length > 2 ? `${Math.round((recent.length - 1) * 1000 / (now - recent[0]))}/s, ` : '';
     const size = `${header.width}×${header.height}`;
+    if (header.traced) {
+        at('status').textContent = tracedStatus(size, header);
+        return;
+    }
     at('status').textContent = moving ? `${rate}${size} at ${Math.round(100 * header.scale)} %, ${header.draw_ms.toFixed(0)} ms`
                                       : `${size}, ${header.draw_ms.toFixed(0)} ms${header.kind === 'still' ? ', refining' : ''}`;
 }
