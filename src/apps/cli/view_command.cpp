@@ -57,6 +57,7 @@ void run(const ViewArguments& arguments)
                                              "shows the same in a browser"));
     std::vector<std::string> words = words_of(arguments.start);
     std::vector<char*> pointers;
+    pointers.reserve(words.size() + 1);
     for (std::string& word : words)
         pointers.push_back(word.data());
     pointers.push_back(nullptr);
