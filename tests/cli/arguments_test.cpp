@@ -51,6 +51,20 @@ TEST(Arguments, SplitSumIsFewSamplesWhateverTheirNumber)
     EXPECT_EQ(render({"--samples", "100", "--ibl", "sampled"}).settings.samples, 100);
 }
 
+TEST(Arguments, OneRoughnessIsForGgxAlone)
+{
+    EXPECT_FALSE(render({}).settings.roughness_override);
+    EXPECT_EQ(render({"--roughness", "0.25"}).settings.roughness_override, 0.25f);
+    EXPECT_EQ(render({"--model", "ggx", "--roughness", "0"}).settings.roughness_override, 0.0f);
+    const auto reference =
+        std::get<ReferenceArguments>(parse({"reference", "sphere", "-o", "x.exr", "--roughness", "1"}));
+    EXPECT_EQ(reference.picture.settings.roughness_override, 1.0f);
+    const auto served = std::get<ServeArguments>(parse({"serve", "sphere", "--roughness", "0.5"}));
+    EXPECT_EQ(served.start.picture.settings.roughness_override, 0.5f);
+    EXPECT_EQ(served.start.words, (std::vector<std::pair<std::string, std::string>>{{"roughness", "0.5"}}));
+    EXPECT_NE(render_refusal({"--model", "phong", "--roughness", "0.5"}).find("--alpha"), std::string::npos);
+}
+
 TEST(Arguments, ATargetNeedsADistance)
 {
     const RenderArguments a = render({"--camera", "10,20,3", "--target", "-1,2,-3"});
@@ -289,6 +303,10 @@ TEST(Arguments, NonsenseIsRefusedInOneLine)
                                                        {"--backend", "cuda"},
                                                        {"--stats", "xml"},
                                                        {"--kd", "1,1,1"},
+                                                       {"--roughness", "1.01"},
+                                                       {"--roughness", "-0.1"},
+                                                       {"--roughness", "nan"},
+                                                       {"--roughness", "0.5", "--model", "phong"},
                                                        {"--unknown"},
                                                        {"--quiet", "--verbose"},
                                                        {"--camera", "1,2", "--camera-node", "x"},
@@ -309,7 +327,7 @@ TEST(Arguments, HelpNamesEveryOption)
           "--background", "--exposure", "--contrast", "--tone",    "--space",       "--model",
           "--alpha",      "--kd",       "--ks",       "--ibl",     "--samples",     "--ambient-brightness",
           "--aa",         "--light",    "--backend",  "--threads", "--layers",      "--stats",
-          "--no-cache",   "--quiet",    "--verbose",  "--help"})
+          "--no-cache",   "--quiet",    "--verbose",  "--help",    "--roughness"})
         EXPECT_NE(help.find(option), std::string::npos) << option;
     EXPECT_NE(std::get<PrintText>(parse({"--version"})).text.find("lambent 0."), std::string::npos);
 }

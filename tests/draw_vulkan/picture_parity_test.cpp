@@ -151,6 +151,20 @@ TEST_F(PictureParity, SplitSumLayersAndLights)
     expect_parity(scene, settings, "as the report");
 }
 
+// Textures of it or not.
+TEST_F(PictureParity, OneRoughnessForAllSurfaces)
+{
+    scene::Scene scene = scene::make_builtin("painted");
+    for (scene::Material& material : scene.materials)
+        material.metallic_roughness_texture = material.base_color_texture;
+    Settings settings = settings_for(scene, Model::ggx);
+    settings.roughness_override = 0.35f;
+    expect_parity(scene, settings, "one roughness");
+    settings = settings_for(scene::make_builtin("grid"), Model::ggx);
+    settings.roughness_override = 0.0f;
+    expect_parity(scene::make_builtin("grid"), settings, "no roughness");
+}
+
 TEST_F(PictureParity, WhatIsTransparentAndWhatIsUnlit)
 {
     scene::Scene scene = scene::make_builtin("report");

@@ -44,6 +44,8 @@ void add_light(CLI::App& app, RenderArguments& arguments, PictureWords& words)
 void add_material(CLI::App& app, PictureWords& words)
 {
     option(app, "--model", words.model, "MODEL", "ggx, as glTF, or phong, as the report (ggx)");
+    option(app, "--roughness", words.roughness, "R",
+           "ggx: perceptual roughness of all surfaces, 0 to 1, instead of their own");
     option(app, "--mip-level", words.mip_level, "RULE",
            "phong: matched to the lobe, or the report's own choice, which shows blocks (matched)");
     option(app, "--alpha", words.alpha, "A", "phong, built-in shapes: exponent, above 0, at most 1e6");
@@ -105,6 +107,15 @@ void apply_light(const PictureWords& words, RenderArguments& arguments)
         settings.samples = draw::split_sum_samples;
 }
 
+void apply_roughness(const std::string& word, draw::Settings& settings)
+{
+    if (word.empty())
+        return;
+    if (settings.model != draw::Model::ggx)
+        throw Error(Failure::usage, "--roughness: only with --model ggx; phong's is --alpha, the exponent");
+    settings.roughness_override = number_in(word, "--roughness", 0.0, 1.0);
+}
+
 void apply_material(const PictureWords& words, RenderArguments& arguments)
 {
     using draw::Model, draw::MipLevel;
@@ -112,6 +123,7 @@ void apply_material(const PictureWords& words, RenderArguments& arguments)
     if (!words.model.empty())
         settings.model =
             choose<Model>(words.model, "--model", {{"ggx", Model::ggx}, {"phong", Model::phong}});
+    apply_roughness(words.roughness, settings);
     if (!words.mip_level.empty())
         settings.mip_level = choose<MipLevel>(words.mip_level, "--mip-level",
                                               {{"matched", MipLevel::matched}, {"report", MipLevel::report}});
@@ -175,6 +187,7 @@ std::vector<std::pair<std::string, std::string>> PictureWords::given() const
                                                             {"ibl", ibl},
                                                             {"samples", samples},
                                                             {"model", model},
+                                                            {"roughness", roughness},
                                                             {"mip-level", mip_level},
                                                             {"alpha", alpha},
                                                             {"kd", kd},

@@ -14,7 +14,7 @@ namespace lambent::cli {
 struct PictureWords : CommonWords {
     std::string size, camera, target, fov, aa;
     std::string rotation, background, ambient, ibl, samples;
-    std::string model, mip_level, alpha, kd, ks, density;
+    std::string model, roughness, mip_level, alpha, kd, ks, density;
     std::string exposure, contrast, tone, space;
     std::string backend;
     std::vector<std::string> lights;
