@@ -19,6 +19,8 @@ public:
         return {};
     }
 
+    void pose(const scene::Scene&) override {}
+
     Device device() const override { return {name_, ""}; }
 
 private:
