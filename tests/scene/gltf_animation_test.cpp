@@ -176,7 +176,7 @@ TEST(GltfAnimation, WholeNumbersAreFractions)
     animate(builder, 0, "rotation", add_times(builder, {0}),
             builder.add<std::int16_t>("VEC4", i16, {0, 0, 23170, 23170}, true));
     animate(builder, 0, "weights", add_times(builder, {0}),
-            builder.add<std::uint8_t>("SCALAR", u8, {51}, true));
+            builder.add<std::uint8_t>("SCALAR", u8, {51}, false)); // even if a file forgets to say so
     const Scene scene = Opened(builder).at(0.0);
     expect_near(glm::vec3(scene.instances[0].transform[0]), {0, 1, 0});
     expect_near(scene.meshes[0].positions[0], {2, 0, 0});
@@ -338,7 +338,9 @@ TEST(GltfAnimation, WhatIsNotKnownIsLeftOut)
     add_channel({{"node", 0}, {"path", "colour"}});
     add_channel({{"node", 1}, {"path", "translation"}});
     add_channel({{"node", 0}, {"path", "weights"}});
-    document["animations"][0]["channels"].push_back(known);
+    document["animations"][0]["samplers"].push_back(
+        {{"input", add_times(builder, {0})}, {"output", builder.add_vec3({9, 9, 9})}});
+    document["animations"][0]["channels"].push_back({{"sampler", 1}, {"target", known["target"]}});
     const Opened opened(builder);
     EXPECT_EQ(opened.warnings,
               (Warnings{"test.gltf: 2 animation channels of properties that are not known: left out",
