@@ -166,7 +166,7 @@ Curve AnimationReader::read_curve(const AnimationSource::Sampler& sampler, const
         document_.fail(name, ": no keys");
     if (values % each != 0 || values / each != keys)
         document_.fail(name, ": ", values, " values for ", keys, " keys, not ", each, " for each");
-    spend(keys + values / each * each * (track.property == Animated::weights ? 1u : curve.width) +
+    spend(keys + values * (track.property == Animated::weights ? 1u : curve.width) +
           sparse_count(document_, sampler.input) + sparse_count(document_, sampler.output));
     read_times(sampler, name, curve);
     read_values(sampler, track.property, name, curve);

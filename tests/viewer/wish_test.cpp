@@ -43,10 +43,10 @@ TEST(Wish, AMomentIsOfTheSceneThatItWasGivenWith)
 {
     cli::StartArguments start;
     start.picture.scene = "walker.glb";
-    start.words = {{"animation", "walk"}, {"moment", "0.5"}};
+    start.words = {{"animation", "-walk"}, {"moment", "0.5"}};
     Wish wish = first_wish(start);
     const cli::RenderArguments arguments = arguments_of(wish);
-    EXPECT_EQ(arguments.animation, "walk");
+    EXPECT_EQ(arguments.animation, "-walk");
     EXPECT_EQ(arguments.moment, 0.5);
     wish.scene = "sphere";
     EXPECT_FALSE(arguments_of(wish).moment.has_value());

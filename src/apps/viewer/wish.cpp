@@ -54,7 +54,7 @@ Wish first_wish(const cli::StartArguments& start)
         else if (name == "density")
             wish.density = word;
         else if (name == "animation" || name == "moment")
-            wish.pose.insert(wish.pose.end(), {"--" + name, word});
+            wish.pose.push_back(text("--", name, "=", word)); // a name may look like an option
         else if (name == "env-rotation")
             turn_environment(wish, cli::parse_number(word, name));
         else if (name != "size" && name != "target")
