@@ -26,6 +26,7 @@ struct Stage {
 std::vector<AnimationInfo> infos_of(const std::vector<Animation>& animations)
 {
     std::vector<AnimationInfo> infos;
+    infos.reserve(animations.size());
     for (const Animation& animation : animations)
         infos.push_back(animation.info);
     return infos;
@@ -34,7 +35,7 @@ std::vector<AnimationInfo> infos_of(const std::vector<Animation>& animations)
 } // namespace
 
 struct GltfFile::Opened {
-    Opened(std::vector<std::uint8_t> own, GltfSource source, Warnings& warnings)
+    Opened(std::vector<std::uint8_t> own, const GltfSource& source, Warnings& warnings)
         : bytes(std::move(own)),
           document(open_document(bytes.empty() ? source : with_bytes(source), warnings)),
           animations(read_animations(document, warnings)), infos(infos_of(animations))

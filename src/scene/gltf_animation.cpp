@@ -164,7 +164,7 @@ Curve AnimationReader::read_curve(const AnimationSource::Sampler& sampler, const
     const std::uint64_t keys = accessor_count(document_, input), values = accessor_count(document_, output);
     if (keys == 0)
         document_.fail(name, ": no keys");
-    if (values % each != 0 || values / each != keys)
+    if (values != keys * each) // both fit 32 bits
         document_.fail(name, ": ", values, " values for ", keys, " keys, not ", each, " for each");
     spend(keys + values * (track.property == Animated::weights ? 1u : curve.width) +
           sparse_count(document_, sampler.input) + sparse_count(document_, sampler.output));
