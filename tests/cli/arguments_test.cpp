@@ -75,6 +75,22 @@ TEST(Arguments, ATargetNeedsADistance)
     EXPECT_NE(render_refusal({"--camera", "10,20,3", "--target", "1,2"}), "");
 }
 
+TEST(Arguments, AMomentIsOneOfAFiles)
+{
+    const RenderArguments a = std::get<RenderArguments>(
+        parse({"render", "a.glb", "-o", "a.png", "--animation", "walk", "--moment", "1.25"}));
+    EXPECT_EQ(a.animation, "walk");
+    EXPECT_EQ(a.moment, 1.25);
+    EXPECT_FALSE(render({}).moment.has_value());
+    for (const char* moment : {"-1", "nan", "inf", "x", "1s"})
+        EXPECT_EQ(refusal({"render", "a.glb", "-o", "a.png", "--moment", moment}).find("--moment"), 0u)
+            << moment;
+    const auto start =
+        std::get<ServeArguments>(parse({"serve", "a.glb", "--animation", "2", "--moment", "3"}));
+    EXPECT_EQ(start.start.words,
+              (std::vector<std::pair<std::string, std::string>>{{"animation", "2"}, {"moment", "3"}}));
+}
+
 TEST(Arguments, DefaultsAreTheContracts)
 {
     const RenderArguments a = render({});
@@ -311,6 +327,8 @@ TEST(Arguments, NonsenseIsRefusedInOneLine)
                                                        {"--quiet", "--verbose"},
                                                        {"--camera", "1,2", "--camera-node", "x"},
                                                        {"--density", "100"},
+                                                       {"--animation", "walk"},
+                                                       {"--moment", "1"},
                                                        {"extra"},
                                                        {"--alpha", "0", "--model", "phong"},
                                                        {"--alpha", "2e6", "--model", "phong"}};
@@ -323,11 +341,12 @@ TEST(Arguments, HelpNamesEveryOption)
 {
     const std::string help = std::get<PrintText>(parse({"render", "--help"})).text;
     for (const char* option :
-         {"--env",        "--size",     "--camera",   "--fov",     "--camera-node", "--env-rotation",
-          "--background", "--exposure", "--contrast", "--tone",    "--space",       "--model",
-          "--alpha",      "--kd",       "--ks",       "--ibl",     "--samples",     "--ambient-brightness",
-          "--aa",         "--light",    "--backend",  "--threads", "--layers",      "--stats",
-          "--no-cache",   "--quiet",    "--verbose",  "--help",    "--roughness"})
+         {"--env",        "--size",     "--camera",   "--fov",   "--camera-node", "--env-rotation",
+          "--background", "--exposure", "--contrast", "--tone",  "--space",       "--model",
+          "--alpha",      "--kd",       "--ks",       "--ibl",   "--samples",     "--ambient-brightness",
+          "--animation",  "--moment",   "--aa",       "--light", "--backend",     "--threads",
+          "--layers",     "--stats",    "--no-cache", "--quiet", "--verbose",     "--help",
+          "--roughness"})
         EXPECT_NE(help.find(option), std::string::npos) << option;
     EXPECT_NE(std::get<PrintText>(parse({"--version"})).text.find("lambent 0."), std::string::npos);
 }

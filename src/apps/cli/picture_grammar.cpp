@@ -19,6 +19,9 @@ void add_view(CLI::App& app, RenderArguments& arguments, PictureWords& words)
     option(app, "--camera-node", arguments.camera_node, "NAME", "A camera of the glTF");
     option(app, "--fov", words.fov, "DEG", "Vertical field of view (45)");
     option(app, "--aa", words.aa, "N", "Samples per pixel where surfaces end (4)");
+    option(app, "--animation", words.animation, "NAME|N",
+           "An animation of the glTF, or its number from 0 (none; with --moment 0)");
+    option(app, "--moment", words.moment, "S", "Seconds from its start, at most its duration (0)");
 }
 
 void add_light(CLI::App& app, RenderArguments& arguments, PictureWords& words)
@@ -87,6 +90,19 @@ void apply_view(const PictureWords& words, RenderArguments& arguments)
         arguments.vertical_fov = radians(number_in(words.fov, "--fov", 0.1, 175.0));
     if (!words.aa.empty())
         arguments.settings.edge_samples = whole_in(words.aa, "--aa", 1, 64);
+}
+
+void apply_moment(const PictureWords& words, RenderArguments& arguments)
+{
+    for (const auto& [name, word] : {std::pair("--animation", &words.animation), {"--moment", &words.moment}})
+        if (!word->empty() && scene::is_builtin(arguments.scene))
+            throw Error(Failure::usage, text(name, ": only with a .gltf or .glb"));
+    arguments.animation = words.animation;
+    if (words.moment.empty())
+        return;
+    arguments.moment = parse_number(words.moment, "--moment");
+    if (*arguments.moment < 0.0)
+        throw Error(Failure::usage, text("--moment: '", words.moment, "' is before the start"));
 }
 
 void apply_light(const PictureWords& words, RenderArguments& arguments)
@@ -181,6 +197,8 @@ std::vector<std::pair<std::string, std::string>> PictureWords::given() const
                                                             {"target", target},
                                                             {"fov", fov},
                                                             {"aa", aa},
+                                                            {"animation", animation},
+                                                            {"moment", moment},
                                                             {"env-rotation", rotation},
                                                             {"background", background},
                                                             {"ambient-brightness", ambient},
@@ -221,6 +239,7 @@ RenderArguments PictureGrammar::result() const
     arguments.common = common_options(words_);
     arguments.cache = !words_.no_cache;
     apply_view(words_, arguments);
+    apply_moment(words_, arguments);
     apply_light(words_, arguments);
     apply_material(words_, arguments);
     apply_display(words_, arguments);

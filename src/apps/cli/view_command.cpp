@@ -27,7 +27,7 @@ std::vector<std::string> words_of(const StartArguments& start)
     };
     add("--env", picture.environment);
     for (const auto& [name, word] : start.words)
-        add("--" + name, word);
+        words.push_back(text("--", name, "=", word)); // a word may look like an option
     for (const std::string& light : start.lights)
         add("--light", light);
     if (!picture.camera_node.empty())
