@@ -1,6 +1,6 @@
 // `--animation` and `--moment` as their users meet them.
 #include "tests/cli/lambent.h"
-#include "tests/scene/gltf_builder.h"
+#include "tests/scene/sliding_model.h"
 
 #include "image/image_io.h"
 
@@ -17,20 +17,10 @@ using nlohmann::json;
 using testing::Folder;
 using testing::Outcome;
 
-// A triangle that "slides" a metre to the right in 2 s and "sinks" one in 4 s.
 std::string write_model(const Folder& folder)
 {
-    scene::test::GltfBuilder builder = scene::test::triangle();
-    const auto animation = [&](const char* name, float seconds, const std::vector<float>& places) {
-        const int times = builder.add("SCALAR", scene::test::f32, std::vector<float>{0, seconds});
-        return json{{"name", name},
-                    {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}},
-                    {"samplers", {{{"input", times}, {"output", builder.add_vec3(places)}}}}};
-    };
-    builder.add_to("animations", animation("slide", 2, {0, 0, 0, 1, 0, 0}));
-    builder.add_to("animations", animation("sink", 4, {0, 0, 0, 0, -1, 0}));
     const std::string path = folder.path("m.glb");
-    const auto bytes = builder.glb();
+    const auto bytes = scene::test::sliding_model();
     write_bytes(path, std::string(bytes.begin(), bytes.end()));
     return path;
 }

@@ -1,105 +1,17 @@
 // Sessions at the desk: what they are shown is what `lambent render` draws, each gets its turn, and nothing waits for
 // somebody who does not look.
-#include "apps/viewer/desk.h"
 #include "base/file.h"
 #include "image/image_io.h"
 #include "tests/support/process.h"
+#include "tests/viewer/seat.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include <condition_variable>
-#include <deque>
 #include <fstream>
 
 namespace lambent::viewer {
 namespace {
-
-// Keeps what it is shown; waits for it.
-class Audience : public Presenter {
-public:
-    void show(Picture picture) override { keep(pictures, std::move(picture)); }
-    void say(const std::string& state) override { keep(states, state); }
-    void save(Saved file) override { keep(saved, std::move(file)); }
-
-    template <class Condition>
-    bool wait(Condition&& condition)
-    {
-        std::unique_lock lock(mutex);
-        return changed.wait_for(lock, std::chrono::seconds(60), condition);
-    }
-
-    std::mutex mutex;
-    std::condition_variable changed;
-    std::deque<Picture> pictures;
-    std::deque<std::string> states;
-    std::deque<Saved> saved;
-
-private:
-    template <class T>
-    void keep(std::deque<T>& list, T thing)
-    {
-        const std::lock_guard lock(mutex);
-        list.push_back(std::move(thing));
-        changed.notify_all();
-    }
-};
-
-struct Seat {
-    Seat(Desk& at, Stock& stock, Wish wish)
-        : desk(at), audience(std::make_shared<Audience>()),
-          session(std::make_shared<Session>(std::move(wish), stock, audience))
-    {
-        desk.add(session);
-    }
-    Seat(const Seat&) = delete;
-    Seat& operator=(const Seat&) = delete;
-    ~Seat() { desk.remove(session); }
-
-    // Sees every picture until there is one of `kind` that shows `input`.
-    Picture wait_for(Picture::Kind kind, std::uint64_t input)
-    {
-        Picture last;
-        do {
-            if (!audience->wait([&] { return !audience->pictures.empty(); })) {
-                ADD_FAILURE() << "no picture";
-                return last;
-            }
-            const std::lock_guard lock(audience->mutex);
-            last = std::move(audience->pictures.front());
-            audience->pictures.pop_front();
-            session->seen();
-            desk.nudge();
-        } while (last.kind != kind || last.input < input);
-        return last;
-    }
-
-    void change(std::uint64_t input, const Session::Change& change)
-    {
-        session->change(input, change);
-        desk.nudge();
-    }
-
-    Desk& desk;
-    std::shared_ptr<Audience> audience;
-    std::shared_ptr<Session> session;
-};
-
-Wish small_wish(const std::string& scene)
-{
-    Wish wish{scene, "furnace", {}, first_eye(scene), {}, 96, 64};
-    wish.values.set("samples", "8");
-    return wish;
-}
-
-std::vector<std::uint8_t> rendered(const std::string& command, const testing::Folder& folder)
-{
-    const testing::Outcome outcome =
-        testing::run_program("/bin/sh", {"-c", "cd '" + folder.path("") + "' && " +
-                                                   std::string(LAMBENT_PROGRAM) + command.substr(7)});
-    EXPECT_EQ(outcome.code, 0) << outcome.error;
-    return read_file(folder.path(command.substr(command.rfind(' ') + 1)));
-}
 
 TEST(Desk, WhatIsSavedIsWhatTheShownCommandWrites)
 {

@@ -43,6 +43,8 @@ TEST(Wish, AMomentIsOfTheSceneThatItWasGivenWith)
 {
     cli::StartArguments start;
     start.picture.scene = "walker.glb";
+    start.picture.animation = "-walk";
+    start.picture.moment = 0.5;
     start.words = {{"animation", "-walk"}, {"moment", "0.5"}};
     Wish wish = first_wish(start);
     const cli::RenderArguments arguments = arguments_of(wish);

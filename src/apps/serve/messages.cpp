@@ -37,6 +37,14 @@ struct Said {
         return found->get<std::string>();
     }
 
+    bool yes(const char* name) const
+    {
+        const auto found = message.find(name);
+        if (found == message.end() || !found->is_boolean())
+            throw Malformed(text("'", name, "' must be true or false"));
+        return found->get<bool>();
+    }
+
     // A value for the table: pages may send numbers as numbers.
     std::string value() const
     {
@@ -110,6 +118,9 @@ const std::map<std::string, Action, std::less<>>& actions()
              const double width = s.number("width"), height = s.number("height");
              s.change([&](Wish& wish, const World&) { viewer::set_size(wish, width, height); });
          }},
+        {"animate", [](const Said& s) { s.session.animate(s.id, s.number("number")); }},
+        {"moment", [](const Said& s) { s.session.seek(s.id, s.number("seconds")); }},
+        {"play", [](const Said& s) { s.session.play(s.id, s.yes("on")); }},
         {"focus", [](const Said& s) { s.session.focus(s.number("x"), s.number("y")); }},
         {"reset", [](const Said& s) { s.session.reset(s.id); }},
         {"save", [](const Said& s) { s.session.save(s.word("kind")); }},

@@ -75,6 +75,7 @@ function showFrame(header, bytes) {
         Object.assign(canvas.dataset, { kind: header.kind, input: header.input, scale: header.scale,
                                         frames: Number(canvas.dataset.frames ?? 0) + 1 });
         showStatus(header);
+        showMoment(header.moment);
     }).catch(error => trouble(`a picture could not be shown: ${error.message}`)).then(() => {
         if (socket.readyState === WebSocket.OPEN) socket.send('{"do":"seen"}');
     });
@@ -123,6 +124,7 @@ function showState(message) {
     }
     choose(at('scene'), state.scene);
     choose(at('environment'), state.environment);
+    showAnimation();
     at('command').value = state.command;
     at('warnings').replaceChildren(...state.warnings.map(line => element('li', { textContent: line })));
     if (!at('lights').contains(document.activeElement)) showLights(state.lights);
@@ -244,6 +246,39 @@ function begin(message) {
     sendSize();
 }
 
+// --- Animation ------------------------------------------------------------------------------------------------------
+
+const duration = () => state?.animations[state.animation]?.seconds ?? 0;
+
+function showMoment(seconds) {
+    if (document.activeElement !== at('moment') || state?.playing)
+        at('moment').value = duration() > 0 ? Math.round(1000 * seconds / duration()) : 0;
+    at('seconds').textContent = `${seconds.toFixed(2)} s`;
+}
+
+function showAnimation() {
+    at('animation').hidden = state.animations.length === 0;
+    at('animate').replaceChildren(element('option', { value: -1, textContent: 'none' }),
+        ...state.animations.map(({ name }, index) => element('option', { value: index, textContent: name })));
+    at('animate').value = state.animation;
+    at('moment').disabled = !(duration() > 0);
+    at('play').textContent = state.playing ? 'Pause' : 'Play';
+    at('play').setAttribute('aria-pressed', String(state.playing));
+    showMoment(state.moment);
+}
+
+function togglePlay() {
+    if (state?.animations.length > 0) say({ do: 'play', on: !state.playing });
+}
+
+at('play').addEventListener('click', togglePlay);
+at('animate').addEventListener('change', event => say({ do: 'animate', number: Number(event.target.value) }));
+at('moment').addEventListener('input', event => {
+    const seconds = Number(event.target.value) / 1000 * duration();
+    say({ do: 'moment', seconds });
+    at('seconds').textContent = `${seconds.toFixed(2)} s`;
+});
+
 // --- Lights ---------------------------------------------------------------------------------------------------------
 
 const lightFields = {
@@ -359,6 +394,7 @@ const keys = {
     '[': () => move('turn', { by: -5 }),
     ']': () => move('turn', { by: 5 }),
     f: () => say({ do: 'focus', x: 0.5, y: 0.5 }),
+    ' ': () => togglePlay(),
     r: () => reset(),
     s: () => say({ do: 'save', kind: 'png' }),
     p: () => togglePanel(),
@@ -371,6 +407,7 @@ document.addEventListener('keydown', event => {
     const arrow = event.target === canvas && arrows[event.key];
     if (arrow && event.shiftKey) move('pan', { x: -0.05 * arrow[0], y: -0.05 * arrow[1] });
     else if (arrow) move('orbit', { x: 5 * arrow[0], y: 5 * arrow[1] });
+    if (event.key === ' ' && event.target.matches('button')) return; // that presses it
     const action = arrow ? null : keys[event.key] ?? keys[event.key.toLowerCase()];
     if (!arrow && !action) return;
     event.preventDefault();

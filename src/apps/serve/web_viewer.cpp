@@ -235,6 +235,7 @@ void WebPresenter::show(Picture picture)
                                      {"scale", picture.scale},
                                      {"draw_ms", picture.draw_ms},
                                      {"input", picture.input},
+                                     {"moment", picture.moment},
                                      {"last", picture.is_last}};
     if (const std::optional<Picture::Traced>& traced = picture.traced) {
         header["traced"] = {{"samples", traced->samples}, {"noise", traced->noise}, {"error", traced->error}};

@@ -57,6 +57,7 @@ void complete(const Plan& plan, double draw_ms, Picture& picture)
     picture.scale = plan.scale;
     picture.draw_ms = draw_ms;
     picture.input = plan.input;
+    picture.moment = plan.moment;
 }
 
 Picture picture_of(const Plan& plan, const draw::Frame& frame, double draw_ms)
@@ -205,6 +206,7 @@ void Desk::draw(const Plan& plan, Session& session, std::chrono::milliseconds sl
     };
     const auto& environment = plan.environment->environment;
     const draw::Settings& settings = plan.arguments.settings;
+    plan.model->pose(plan.arguments);
     draw::Renderer& renderer = plan.model->renderer(settings.texel_transfer);
     draw::Frame frame = renderer.draw(environment ? &*environment : nullptr, settings, check);
     show(plan, frame, ms_since(start), session);

@@ -1,5 +1,7 @@
 #include "apps/viewer/load_first.h"
 
+#include "apps/cli/picture_setup.h"
+
 namespace lambent::viewer {
 
 Wish load_first(const cli::StartArguments& arguments, Stock& stock, const cli::Console& console)
@@ -8,6 +10,7 @@ Wish load_first(const cli::StartArguments& arguments, Stock& stock, const cli::C
     const cli::RenderArguments first = arguments_of(wish);
     stock.load(first);
     const std::shared_ptr<Model> model = stock.model(first).value;
+    cli::moment_asked(first, model->scene().animations); // throws where there is none such
     console.warn(model->warnings());
     console.warn(stock.environment(first.environment).value->warnings);
     if (const std::string& camera = arguments.picture.camera_node; !camera.empty())

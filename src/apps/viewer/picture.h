@@ -20,6 +20,7 @@ struct Picture {
     double draw_ms = 0.0;
     std::uint64_t input = 0; ///< the last input that it shows
     bool is_last = false;    ///< nothing better follows
+    double moment = 0.0;     ///< of the animation, seconds
 
     /// Of Kind::traced.
     struct Traced {

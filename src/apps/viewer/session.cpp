@@ -18,6 +18,9 @@ namespace {
 // A picture of more samples than this is preceded by one that is whole sooner.
 constexpr int many_samples = 80;
 
+// A file may have thousands.
+constexpr std::size_t most_animations = 200;
+
 void make_fast(cli::RenderArguments& arguments, double scale)
 {
     draw::Settings& settings = arguments.settings;
@@ -76,11 +79,71 @@ void Session::reset(std::uint64_t input)
     wish_.environment = old.environment;
     wish_.width = old.width;
     wish_.height = old.height;
-    if (wish_.scene != start_.scene)
+    playing_.reset();
+    if (wish_.scene != start_.scene) {
         wish_.eye = first_eye(wish_.scene);
+        wish_.animation.clear();
+    }
     error_.clear();
     announce_ = true;
     touch(input);
+}
+
+void Session::animate(std::uint64_t input, double number)
+{
+    const std::lock_guard lock(mutex_);
+    if (model_)
+        viewer::animate(wish_, model_->scene().animations, number);
+    playing_.reset();
+    announce_ = true;
+    touch(input);
+}
+
+void Session::seek(std::uint64_t input, double seconds)
+{
+    const std::lock_guard lock(mutex_);
+    wish_.moment = std::isfinite(seconds) ? std::clamp(seconds, 0.0, duration()) : 0.0;
+    if (playing_)
+        playing_ = Clock::now();
+    touch(input);
+}
+
+void Session::play(std::uint64_t input, bool on)
+{
+    const std::lock_guard lock(mutex_);
+    playing_.reset();
+    announce_ = true;
+    touch(input);
+    if (!on || !model_ || model_->scene().animations.empty())
+        return;
+    if (wish_.animation.empty())
+        viewer::animate(wish_, model_->scene().animations, 0);
+    playing_ = Clock::now();
+}
+
+// Of the animation that is wished; 0 without one.
+double Session::duration() const
+{
+    if (!model_)
+        return 0.0;
+    const std::vector<scene::AnimationInfo>& animations = model_->scene().animations;
+    const int number = animation_of(wish_, animations);
+    return number < 0 ? 0.0 : animations[static_cast<std::size_t>(number)].seconds;
+}
+
+// The wish is that of the moment: whoever looks late sees fewer of them.
+void Session::go_on_playing(Clock::time_point now, Clock::time_point& wake)
+{
+    const double seconds = duration();
+    if (!playing_ || !(seconds > 0.0) || in_flight_ >= most_in_flight)
+        return;
+    wake = std::min(wake, *playing_ + least_step);
+    if (now - *playing_ < least_step)
+        return;
+    wish_.moment = std::fmod(wish_.moment + std::chrono::duration<double>(now - *playing_).count(), seconds);
+    playing_ = now;
+    wake = now + least_step;
+    touch(0);
 }
 
 void Session::open_scene(const std::string& name)
@@ -191,8 +254,10 @@ void Session::look_for_opening()
         return;
     Wish wish = wish_;
     (opening_.is_scene ? wish.scene : wish.environment) = opening_.name;
-    if (opening_.is_scene)
+    if (opening_.is_scene) {
         wish.eye = first_eye(wish.scene);
+        wish.animation.clear();
+    }
     bool pending = false, there = false;
     std::string error;
     try {
@@ -217,6 +282,8 @@ void Session::look_for_opening()
         return;
     }
     wish_ = std::move(wish);
+    if (opening_.is_scene)
+        playing_.reset();
     ++serial_;
 }
 
@@ -250,6 +317,7 @@ Plan Session::planned(Plan::Task task)
     plan.layer = wish_.values["layer"];
     plan.model = model_;
     plan.environment = environment_;
+    plan.moment = wish_.moment;
     plan.width = wish_.width;
     plan.height = wish_.height;
     plan.serial = serial_;
@@ -288,6 +356,7 @@ std::optional<Plan> Session::plan(Clock::time_point now, Clock::time_point& wake
         if (closed_)
             return std::nullopt;
         look_for_opening();
+        go_on_playing(now, wake);
         if (find_things(wish_))
             if (const std::optional<Plan::Task> task = task_now(now, wake)) {
                 plan = planned(*task);
@@ -370,10 +439,22 @@ std::string Session::state_now() const
                                     {"values", to_json(wish_.values)},
                                     {"lights", wish_.lights},
                                     {"command", command_of(wish_, "picture.png")},
+                                    {"animation", -1},
+                                    {"moment", wish_.moment},
+                                    {"playing", playing_.has_value()},
                                     {"width", wish_.width},
                                     {"height", wish_.height},
                                     {"loading", pending_ || !opening_.name.empty()},
                                     {"error", !error_.empty() ? error_ : file_error_}};
+    state["animations"] = nlohmann::ordered_json::array();
+    if (model_) {
+        const std::vector<scene::AnimationInfo>& animations = model_->scene().animations;
+        state["animation"] = animation_of(wish_, animations);
+        for (const scene::AnimationInfo& animation : animations)
+            if (state["animations"].size() < most_animations)
+                state["animations"].push_back(
+                    {{"name", one_line(animation.name).substr(0, 100)}, {"seconds", animation.seconds}});
+    }
     state["warnings"] = nlohmann::ordered_json::array();
     if (model_)
         for (const std::string& warning : model_->warnings())

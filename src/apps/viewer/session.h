@@ -29,6 +29,7 @@ struct Plan {
     std::shared_ptr<Model> model;
     std::shared_ptr<const cli::LoadedEnvironment> environment;
     double scale = 1.0;
+    double moment = 0.0;           ///< as Picture::moment
     int width = 0, height = 0;     ///< as wished
     std::uint64_t serial = 0;      ///< of the wish
     std::uint64_t input = 0;       ///< as Picture::input
@@ -44,6 +45,8 @@ public:
     static constexpr int most_in_flight = 2;
     /// Nothing moves when there was no input for so long.
     static constexpr std::chrono::milliseconds settle{60};
+    /// An animation is drawn at most so often.
+    static constexpr std::chrono::milliseconds least_step{16};
 
     Session(Wish start, Stock& stock, std::shared_ptr<Presenter> presenter);
 
@@ -54,6 +57,16 @@ public:
 
     /// Everything as at the start, but for the size.
     void reset(std::uint64_t input);
+
+    /// An animation of the scene, by its number from 0, at its start; below 0: none. Throws Error(usage) for others. Nothing
+    /// before the scene is loaded.
+    void animate(std::uint64_t input, double number);
+
+    /// To a moment of the animation, seconds; cut to what it has.
+    void seek(std::uint64_t input, double seconds);
+
+    /// Lets the animation go on, the first one if there is none yet, round and round, or stops it.
+    void play(std::uint64_t input, bool on);
 
     /// Another scene or environment, once it is loaded; what cannot be is said in the state.
     void open_scene(const std::string& name);
@@ -110,6 +123,8 @@ private:
     void look_for_opening();
     bool find_things(const Wish& wish);
     bool find_trace();
+    double duration() const;
+    void go_on_playing(Clock::time_point now, Clock::time_point& wake);
     bool is_compared() const;
     void set_error(const std::string& line);
     std::optional<Plan::Task> task_now(Clock::time_point now, Clock::time_point& wake);
@@ -137,6 +152,8 @@ private:
     std::atomic<int> in_flight_ = 0;
     std::atomic<bool> closed_ = false;
     Clock::time_point last_input_{};
+    std::optional<Clock::time_point>
+        playing_; ///< since when the moment is that of the wish; unset: not playing
 };
 
 } // namespace lambent::viewer

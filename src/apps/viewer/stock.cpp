@@ -1,6 +1,5 @@
 #include "apps/viewer/stock.h"
 
-#include "apps/cli/picture_setup.h"
 #include "apps/cli/reference_setup.h"
 #include "base/text.h"
 #include "environment/builtin.h"
@@ -9,7 +8,6 @@
 #include <chrono>
 #include <exception>
 #include <filesystem>
-#include <iomanip>
 #include <new>
 #include <utility>
 
@@ -33,8 +31,7 @@ std::string model_key(const cli::RenderArguments& arguments)
     };
     const scene::BuiltinOptions& options = arguments.builtin;
     return text("model\n", arguments.scene, "\n", color(options.diffuse), " ", color(options.specular), " ",
-                options.exponent.value_or(0.0f), " ", options.density, "\n", arguments.animation, "\n",
-                arguments.moment ? text(std::setprecision(17), *arguments.moment) : "");
+                options.exponent.value_or(0.0f), " ", options.density);
 }
 
 // "" where there is none to watch.
@@ -43,28 +40,7 @@ std::string file_of_environment(const std::string& name)
     return name == "none" || environment::is_builtin(name) ? "" : name;
 }
 
-std::shared_ptr<void> load_model(const cli::RenderArguments& arguments, const cli::RendererChoice& backend)
-{
-    Warnings warnings;
-    scene::Scene scene = cli::load_scene(arguments, warnings);
-    return std::make_shared<Model>(std::move(scene), std::move(warnings), backend);
-}
-
 } // namespace
-
-Model::Model(scene::Scene scene, Warnings warnings, cli::RendererChoice backend)
-    : scene_(std::move(scene)), bounds_(scene::framed_bounds(scene_)), warnings_(std::move(warnings)),
-      backend_(std::move(backend))
-{
-}
-
-draw::Renderer& Model::renderer(draw::TexelTransfer transfer)
-{
-    std::unique_ptr<draw::Renderer>& renderer = renderers_[transfer];
-    if (!renderer)
-        renderer = cli::make_renderer(backend_, scene_);
-    return *renderer;
-}
 
 Stock::Stock(StockOptions options) : options_(std::move(options)), thread_([this] { work(); }) {}
 
@@ -104,7 +80,8 @@ Found<Model> Stock::model(const cli::RenderArguments& arguments)
 {
     const std::string file = scene::is_builtin(arguments.scene) ? "" : arguments.scene;
     return find<Model>(model_key(arguments), file, [arguments, options = options_] {
-        return load_model(arguments, {options.backend, options.cache, options.warn});
+        return std::make_shared<Model>(arguments,
+                                       cli::RendererChoice{options.backend, options.cache, options.warn});
     });
 }
 

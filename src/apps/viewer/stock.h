@@ -3,9 +3,7 @@
 
 #include "apps/cli/arguments.h"
 #include "apps/cli/load_environment.h"
-#include "apps/cli/make_renderer.h"
-#include "draw/renderer.h"
-#include "scene/scene.h"
+#include "apps/viewer/model.h"
 
 #include <condition_variable>
 #include <cstdint>
@@ -24,26 +22,6 @@ struct StockOptions {
     bool cache = true; ///< of environments and shaders, in the user's folder
     cli::Backend backend = cli::Backend::automatic;
     std::function<void(const std::string&)> warn = [](const std::string&) {}; ///< as cli::RendererChoice's
-};
-
-/// A scene ready to be drawn. Immutable but for renderer(), which one thread alone may call.
-class Model {
-public:
-    Model(scene::Scene scene, Warnings warnings, cli::RendererChoice backend);
-
-    const scene::Scene& scene() const { return scene_; }
-    const scene::Bounds& bounds() const { return bounds_; }
-    const Warnings& warnings() const { return warnings_; }
-
-    /// One for each transfer, made when first asked for, as each keeps textures of its own. Throws Error(no_device).
-    draw::Renderer& renderer(draw::TexelTransfer transfer);
-
-private:
-    scene::Scene scene_;
-    scene::Bounds bounds_;
-    Warnings warnings_;
-    cli::RendererChoice backend_;
-    std::map<draw::TexelTransfer, std::unique_ptr<draw::Renderer>> renderers_;
 };
 
 /// A panorama as it is in its file, for the reference.

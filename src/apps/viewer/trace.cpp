@@ -34,10 +34,12 @@ bool Trace::advance(const reference::GoOn& go_on)
         cli::ReferenceArguments reference;
         reference.picture = task_.arguments;
         reference.bounces = task_.bounces;
-        reference::Settings settings = cli::reference_settings(reference, task_.model->scene());
+        task_.model->pose(task_.arguments);
+        scene_ = task_.model->whole_scene();
+        reference::Settings settings = cli::reference_settings(reference, *scene_);
         settings.camera = task_.arguments.settings.camera;
         const std::optional<image::RadianceImage>& panorama = task_.environment->panorama;
-        tracing_.emplace(task_.model->scene(), panorama ? &*panorama : nullptr, settings);
+        tracing_.emplace(*scene_, panorama ? &*panorama : nullptr, settings);
     }
     finished_ = tracing_->advance(go_on);
     return finished_;

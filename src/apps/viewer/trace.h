@@ -37,6 +37,7 @@ private:
 
     TraceTask task_;
     image::RadianceImage drawn_;
+    std::shared_ptr<const scene::Scene> scene_; ///< that is traced
     std::optional<reference::Tracing> tracing_;
     bool finished_ = false;
 };

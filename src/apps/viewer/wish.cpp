@@ -46,6 +46,7 @@ Wish first_wish(const cli::StartArguments& start)
     const cli::RenderArguments& picture = start.picture;
     Wish wish{picture.scene, picture.environment, {}, first_eye(picture.scene), start.lights};
     set_size(wish, picture.settings.width, picture.settings.height);
+    bool pose = false;
     for (const auto& [name, word] : start.words) {
         if (name == "camera")
             wish.eye = eye_of(word, picture.target);
@@ -54,13 +55,16 @@ Wish first_wish(const cli::StartArguments& start)
         else if (name == "density")
             wish.density = word;
         else if (name == "animation" || name == "moment")
-            wish.pose.push_back(text("--", name, "=", word)); // a name may look like an option
+            pose = true;
         else if (name == "env-rotation")
             turn_environment(wish, cli::parse_number(word, name));
         else if (name != "size" && name != "target")
             wish.values.set(name, word);
     }
-    wish.posed = wish.scene;
+    if (pose) {
+        wish.animation = picture.animation.empty() ? "0" : picture.animation;
+        wish.moment = picture.moment.value_or(0.0);
+    }
     if (!picture.settings.energy_compensation)
         wish.fixed.emplace_back("--no-energy-compensation");
     if (picture.display.dither)
@@ -98,6 +102,35 @@ void set_lights(Wish& wish, const std::vector<std::string>& lights)
     wish.lights = lights;
 }
 
+void animate(Wish& wish, const std::vector<scene::AnimationInfo>& animations, double number)
+{
+    wish.moment = 0.0;
+    wish.animation.clear();
+    if (number < 0.0)
+        return;
+    if (!(number < static_cast<double>(animations.size())) || number != std::floor(number))
+        throw Error(Failure::usage, text("there is no animation ", number));
+    // By its name, unless that is another's name or number, too.
+    const auto index = static_cast<std::size_t>(number);
+    for (const std::string& word : {animations[index].name, text(index)}) {
+        wish.animation = word;
+        if (animation_of(wish, animations) == static_cast<int>(index))
+            return;
+    }
+}
+
+int animation_of(const Wish& wish, const std::vector<scene::AnimationInfo>& animations)
+{
+    cli::RenderArguments arguments;
+    arguments.animation = wish.animation;
+    try {
+        const std::optional<scene::Moment> moment = cli::moment_asked(arguments, animations);
+        return moment ? moment->animation : -1;
+    } catch (const Error&) {
+        return -1;
+    }
+}
+
 void turn_environment(Wish& wish, double degrees)
 {
     const double before = std::stod(wish.values["env-rotation"]);
@@ -133,8 +166,8 @@ std::vector<std::string> words_of(const Wish& wish)
         add({"--light", light});
     if (!wish.density.empty() && scene::is_builtin(wish.scene))
         add({"--density", wish.density});
-    if (wish.scene == wish.posed)
-        add(wish.pose);
+    if (!wish.animation.empty() && !scene::is_builtin(wish.scene)) // its name may look like an option
+        add({text("--animation=", wish.animation), text("--moment=", number_word(wish.moment))});
     add(wish.fixed);
     return words;
 }

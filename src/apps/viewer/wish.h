@@ -18,8 +18,8 @@ struct Wish {
     int width = 1280, height = 720;
     std::vector<std::string> fixed = {}; ///< more options of `render`, which nobody changes
     std::string density = {};            ///< word of --density, for built-in shapes; empty: not given
-    std::string posed = {};              ///< the scene that `pose` is for; other scenes stand still
-    std::vector<std::string> pose = {};  ///< --animation=NAME and --moment=S, as given
+    std::string animation = {};          ///< word of --animation; empty: the scene stands still
+    double moment = 0.0;                 ///< seconds from its start
 };
 
 /// At most this many lights, and this many pixels in a picture.
@@ -41,6 +41,12 @@ void set_lights(Wish& wish, const std::vector<std::string>& lights);
 
 /// Sides are cut to what may be drawn: from 16 pixels to most_pixels in all, in the proportion asked for.
 void set_size(Wish& wish, double width, double height);
+
+/// An animation of the scene by its number, at its start; below 0: none. Throws Error(usage) where there is none such.
+void animate(Wish& wish, const std::vector<scene::AnimationInfo>& animations, double number);
+
+/// The number of the animation that is wished; -1: none, or it is not there.
+int animation_of(const Wish& wish, const std::vector<scene::AnimationInfo>& animations);
 
 /// The environment's rotation grows by so many degrees, and stays from -180 to 180.
 void turn_environment(Wish& wish, double degrees);

@@ -1,0 +1,68 @@
+#include "apps/viewer/model.h"
+
+#include "apps/cli/picture_setup.h"
+#include "scene/builtin.h"
+
+#include <utility>
+
+namespace lambent::viewer {
+namespace {
+
+bool same(const std::optional<scene::Moment>& a, const std::optional<scene::Moment>& b)
+{
+    if (!a || !b)
+        return !a && !b;
+    return a->animation == b->animation && a->seconds == b->seconds;
+}
+
+} // namespace
+
+Model::Model(const cli::RenderArguments& arguments, cli::RendererChoice backend)
+    : backend_(std::move(backend))
+{
+    if (scene::is_builtin(arguments.scene)) {
+        scene_ = scene::make_builtin(arguments.scene, arguments.builtin);
+    } else {
+        file_ = std::make_unique<scene::GltfFile>(arguments.scene, warnings_);
+        scene_ = file_->scene(std::nullopt, warnings_);
+        if (file_->animations().empty())
+            file_.reset(); // its bytes are needed no more
+    }
+    bounds_ = scene::framed_bounds(scene_);
+}
+
+void Model::pose(const cli::RenderArguments& arguments)
+{
+    const std::optional<scene::Moment> moment = cli::moment_asked(arguments, scene_.animations);
+    if (same(moment, moment_))
+        return;
+    std::unique_ptr<scene::Scene> posed;
+    if (moment)
+        posed = std::make_unique<scene::Scene>(file_->pose(*moment));
+    for (const auto& [transfer, renderer] : renderers_)
+        renderer->pose(posed ? *posed : scene_);
+    posed_ = std::move(posed);
+    moment_ = moment;
+}
+
+draw::Renderer& Model::renderer(draw::TexelTransfer transfer)
+{
+    std::unique_ptr<draw::Renderer>& renderer = renderers_[transfer];
+    if (!renderer) {
+        renderer = cli::make_renderer(backend_, scene_);
+        if (posed_)
+            renderer->pose(*posed_);
+    }
+    return *renderer;
+}
+
+std::shared_ptr<const scene::Scene> Model::whole_scene() const
+{
+    if (!posed_)
+        return {std::shared_ptr<const void>(), &scene_};
+    auto whole = std::make_shared<scene::Scene>(*posed_);
+    whole->images = scene_.images;
+    return whole;
+}
+
+} // namespace lambent::viewer

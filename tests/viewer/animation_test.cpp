@@ -1,0 +1,140 @@
+// Scenes that move, played and stopped.
+#include "tests/scene/sliding_model.h"
+#include "tests/viewer/seat.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <fstream>
+
+namespace lambent::viewer {
+namespace {
+
+class Animations : public ::testing::Test {
+protected:
+    Animations()
+    {
+        const std::vector<std::uint8_t> bytes = scene::test::sliding_model();
+        std::ofstream(model, std::ios::binary)
+            .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    }
+
+    Wish wish() const
+    {
+        Wish wish = small_wish(model);
+        wish.values.set("background", "none");
+        return wish;
+    }
+
+    testing::Folder folder;
+    const std::string model = folder.path("m.glb");
+    Stock stock{{.cache = false}};
+    Desk desk{stock};
+};
+
+// Where what is seen is on average, from the left.
+double middle_of(const image::CodeImage& codes)
+{
+    double sum = 0.0, count = 0.0;
+    for (std::size_t i = 0; i < codes.bytes.size() / 4; ++i)
+        if (codes.bytes[4 * i + 3] > 127) {
+            sum += static_cast<double>(i % static_cast<std::size_t>(codes.width));
+            count += 1.0;
+        }
+    return sum / count;
+}
+
+TEST_F(Animations, AMomentIsDrawnAsTheCommandDrawsIt)
+{
+    Seat seat(desk, stock, wish());
+    const Picture still = seat.wait_for(Picture::Kind::rest, 0);
+    seat.session->animate(1, 0.0);
+    seat.session->seek(2, 1.5);
+    desk.nudge();
+    const Picture moved = seat.wait_for(Picture::Kind::rest, 2);
+    EXPECT_EQ(moved.moment, 1.5);
+    EXPECT_NE(moved.codes.bytes, still.codes.bytes);
+    seat.session->save("png");
+    desk.nudge();
+    ASSERT_TRUE(seat.audience->wait([&] { return !seat.audience->saved.empty(); }));
+    const Saved saved = seat.audience->saved.front();
+    EXPECT_NE(saved.command.find(" --animation=slide --moment=1.5"), std::string::npos) << saved.command;
+    EXPECT_EQ(saved.bytes, rendered(saved.command, folder)) << saved.command;
+    // And back: the first scene again, byte for byte.
+    seat.session->animate(3, -1.0);
+    desk.nudge();
+    EXPECT_EQ(seat.wait_for(Picture::Kind::rest, 3).codes.bytes, still.codes.bytes);
+}
+
+TEST_F(Animations, TwoViewersSeeTheirOwnMoments)
+{
+    Seat one(desk, stock, wish()), two(desk, stock, wish());
+    one.wait_for(Picture::Kind::rest, 0);
+    one.session->animate(1, 0.0);
+    one.session->seek(2, 2.0);
+    desk.nudge();
+    const Picture moved = one.wait_for(Picture::Kind::rest, 2), still = two.wait_for(Picture::Kind::rest, 0);
+    EXPECT_NE(moved.codes.bytes, still.codes.bytes);
+    two.change(1, [](Wish& w, const Eye::World&) { w.values.set("exposure", "2"); });
+    two.change(2, [](Wish& w, const Eye::World&) { w.values.set("exposure", "1"); });
+    EXPECT_EQ(two.wait_for(Picture::Kind::rest, 2).codes.bytes, still.codes.bytes);
+}
+
+TEST_F(Animations, PlayingGoesOnUntilItIsStopped)
+{
+    Seat seat(desk, stock, wish());
+    seat.wait_for(Picture::Kind::rest, 0);
+    seat.session->play(1, true);
+    desk.nudge();
+    Picture first = seat.wait_for(Picture::Kind::moving, 1), later = first;
+    for (int i = 0; i < 1000 && !(later.moment > first.moment + 0.3); ++i)
+        later = seat.wait_for(Picture::Kind::moving, 1);
+    EXPECT_GT(later.moment, first.moment + 0.3);
+    seat.session->play(2, false);
+    desk.nudge();
+    const Picture rest = seat.wait_for(Picture::Kind::rest, 2);
+    EXPECT_GE(rest.moment, later.moment);
+    EXPECT_LE(rest.moment, 2.0);
+    const auto state = nlohmann::json::parse(seat.session->state());
+    EXPECT_EQ(state["animations"],
+              nlohmann::json::parse(R"([{"name":"slide","seconds":2.0},{"name":"sink","seconds":4.0}])"));
+    EXPECT_EQ(state["animation"], 0);
+    EXPECT_FALSE(state["playing"].get<bool>());
+}
+
+// A metre to the right, whatever is asked for beyond the end.
+TEST_F(Animations, MomentsEndWithTheAnimation)
+{
+    Seat seat(desk, stock, wish());
+    seat.session->animate(1, 0.0); // also before it is loaded
+    const double before = middle_of(seat.wait_for(Picture::Kind::rest, 0).codes);
+    seat.session->animate(2, 0.0);
+    seat.session->seek(3, 1e300);
+    desk.nudge();
+    const Picture end = seat.wait_for(Picture::Kind::rest, 3);
+    EXPECT_EQ(end.moment, 2.0);
+    EXPECT_GT(middle_of(end.codes), before + 5.0);
+    seat.session->seek(4, std::nan(""));
+    EXPECT_EQ(seat.session->wish().moment, 0.0);
+    EXPECT_THROW(seat.session->animate(5, 2.0), Error);
+    EXPECT_THROW(seat.session->animate(5, 0.5), Error);
+}
+
+TEST_F(Animations, TheReferenceIsOfTheMoment)
+{
+    Wish still = wish();
+    still.values.set("bounces", "0");
+    still.values.set("layer", "reference");
+    Seat seat(desk, stock, still);
+    seat.wait_for(Picture::Kind::rest, 0);
+    seat.session->animate(1, 0.0);
+    seat.session->seek(2, 2.0);
+    desk.nudge();
+    const Picture drawn = seat.wait_for(Picture::Kind::rest, 2),
+                  traced = seat.wait_for(Picture::Kind::traced, 2);
+    EXPECT_NEAR(middle_of(traced.codes), middle_of(drawn.codes), 1.0);
+    EXPECT_LT(traced.traced->error, 0.2);
+}
+
+} // namespace
+} // namespace lambent::viewer
