@@ -16,7 +16,8 @@ namespace {
 
 // Nothing takes the keys from the picture unless it is clicked.
 constexpr ImGuiWindowFlags quiet = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
-                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
+                                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                                   ImGuiWindowFlags_NoFocusOnAppearing;
 constexpr ImGuiWindowFlags bare = quiet | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoScrollbar;
 const ImVec4 red = {1.0f, 0.5f, 0.4f, 1.0f}, yellow = {1.0f, 0.85f, 0.4f, 1.0f},
              blue = {0.7f, 0.9f, 1.0f, 1.0f};

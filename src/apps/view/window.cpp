@@ -115,6 +115,7 @@ void Window::set_callbacks()
 // Keys that write come as characters, whatever the keyboard's language; but none come while Control is held.
 void Window::note_key(int key, int code, bool repeated, int modifiers)
 {
+    pressed_.push_back(key);
     last_key_ = {0, key, (modifiers & GLFW_MOD_SHIFT) != 0, (modifiers & GLFW_MOD_CONTROL) != 0, repeated};
     const char* const name = glfwGetKeyName(key, code);
     if (!name)
@@ -249,7 +250,16 @@ void Window::begin()
     ImGui_ImplOpenGL3_NewFrame(); // makes what fit_letters() replaces
     fit_letters();
     ImGui_ImplGlfw_NewFrame();
+    // A key that is up again already was down for this frame all the same.
+    bool* const down = ImGui::GetIO().KeysDown;
+    const std::vector<int> pressed = std::exchange(pressed_, {});
+    for (const int key : pressed)
+        if (key >= 0 && key <= GLFW_KEY_LAST)
+            down[key] = true;
     ImGui::NewFrame();
+    for (const int key : pressed)
+        if (key >= 0 && key <= GLFW_KEY_LAST)
+            down[key] = glfwGetKey(window_, key) == GLFW_PRESS;
 }
 
 void Window::end() const

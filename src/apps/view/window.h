@@ -46,8 +46,8 @@ public:
     /// Letters and controls for another content scale: 1 on usual screens, 2 on dense ones.
     void set_scale(float scale) { wanted_scale_ = scale; }
 
-    /// What was typed: a character in small letters, or else a key, GLFW_KEY_*. Dear ImGui would miss one that is up
-    /// again by the next frame, and knows keys only by their places on an American keyboard.
+    /// What was typed: a character in small letters, or else a key, GLFW_KEY_*. Dear ImGui knows keys only by their
+    /// places on an American keyboard.
     struct Key {
         char character = 0;
         int key = 0;
@@ -73,6 +73,7 @@ private:
     float wanted_scale_ = 1.0f, scale_ = 0.0f, density_ = 0.0f;
     Key last_key_;
     std::vector<Key> keys_;
+    std::vector<int> pressed_; ///< since the last frame
     std::vector<std::string> dropped_;
 };
 
