@@ -250,23 +250,38 @@ void Window::begin()
     ImGui_ImplOpenGL3_NewFrame(); // makes what fit_letters() replaces
     fit_letters();
     ImGui_ImplGlfw_NewFrame();
-    // A key that is up again already was down for this frame all the same.
-    bool* const down = ImGui::GetIO().KeysDown;
-    const std::vector<int> pressed = std::exchange(pressed_, {});
-    for (const int key : pressed)
-        if (key >= 0 && key <= GLFW_KEY_LAST)
-            down[key] = true;
+    press_again();
     ImGui::NewFrame();
-    for (const int key : pressed)
-        if (key >= 0 && key <= GLFW_KEY_LAST)
-            down[key] = glfwGetKey(window_, key) == GLFW_PRESS;
 }
 
-void Window::end() const
+// A key that is up again already was down for this frame all the same, and what it was held with.
+void Window::press_again()
+{
+    ImGuiIO& io = ImGui::GetIO();
+    for (const int key : pressed_)
+        if (key >= 0 && key <= GLFW_KEY_LAST)
+            io.KeysDown[key] = true;
+    io.KeyCtrl |= !pressed_.empty() && last_key_.control;
+    io.KeyShift |= !pressed_.empty() && last_key_.shift;
+}
+
+void Window::let_go()
+{
+    ImGuiIO& io = ImGui::GetIO();
+    const auto is_down = [&](int key) { return glfwGetKey(window_, key) == GLFW_PRESS; };
+    for (const int key : std::exchange(pressed_, {}))
+        if (key >= 0 && key <= GLFW_KEY_LAST)
+            io.KeysDown[key] = is_down(key);
+    io.KeyCtrl = is_down(GLFW_KEY_LEFT_CONTROL) || is_down(GLFW_KEY_RIGHT_CONTROL);
+    io.KeyShift = is_down(GLFW_KEY_LEFT_SHIFT) || is_down(GLFW_KEY_RIGHT_SHIFT);
+}
+
+void Window::end()
 {
     ImGui::Render();
     ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
     glfwSwapBuffers(window_);
+    let_go();
 }
 
 } // namespace lambent::view_window

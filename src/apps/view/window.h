@@ -41,7 +41,7 @@ public:
 
     /// Everything of Dear ImGui between these two is shown, over what was drawn before end().
     void begin();
-    void end() const;
+    void end();
 
     /// Letters and controls for another content scale: 1 on usual screens, 2 on dense ones.
     void set_scale(float scale) { wanted_scale_ = scale; }
@@ -67,6 +67,8 @@ private:
     void note_character(unsigned character);
     void note_place();
     void fit_letters();
+    void press_again();
+    void let_go();
 
     GLFWwindow* window_ = nullptr;
     WindowPlace place_;
