@@ -160,7 +160,8 @@ bool Tracer::advance(const GoOn& go_on)
     stop_ = refused_ = false;
     while (!reached_limit() || film_.samples(0) == 0) {
         const double before = samples_;
-        if (wanted_.empty())
+        const bool begins = wanted_.empty();
+        if (begins)
             wanted_ = next_counts();
         round(go_on);
         if (stop_)
@@ -168,8 +169,8 @@ bool Tracer::advance(const GoOn& go_on)
         wanted_.clear();
         if (refused_)
             break;
-        if (!(samples_ > before))
-            return true;
+        if (begins && !(samples_ > before))
+            return true; // nothing is left to be wanted
     }
     return reached_limit();
 }

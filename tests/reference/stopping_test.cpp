@@ -122,5 +122,28 @@ TEST(ReferenceStopping, AnEmptySceneIsBlack)
     EXPECT_EQ(result.noise, 0.0);
 }
 
+// Told to stop at every turn, the tracer ends with the samples of one that was not: bit by bit.
+TEST(ReferenceStopping, InPiecesItIsTheSame)
+{
+    const scene::Scene scene = scene_of(facing_square(3.0f, -0.5f), metallic(0.6f, 0.0f, 0.9f));
+    const image::RadianceImage light =
+        panorama_of(64, [](const glm::dvec3& d) { return glm::dvec3(1.0 + d.x, 1.0, 1.5 + d.y); });
+    Settings settings = small_settings(48, 2.0f, 64);
+    settings.adaptive = true;
+    const Result whole = trace(scene, &light, settings);
+    Tracing tracing(scene, &light, settings);
+    int pieces = 0;
+    for (bool finished = false; !finished; ++pieces) {
+        finished = tracing.advance([](const Progress&) { return false; });
+        ASSERT_EQ(tracing.result().radiance.values.size(), whole.radiance.values.size());
+    }
+    EXPECT_GT(pieces, 5);
+    const Result result = tracing.result();
+    EXPECT_EQ(result.radiance.values, whole.radiance.values);
+    EXPECT_EQ(result.variance.values, whole.variance.values);
+    EXPECT_EQ(result.samples, whole.samples);
+    EXPECT_EQ(result.noise, whole.noise);
+}
+
 } // namespace
 } // namespace lambent::reference

@@ -198,6 +198,8 @@ const lightness = page => page.evaluate(() => {
 });
 
 async function expectTheme(page, theme) {
+    // A change of the system's scheme reaches the page's script in its own time.
+    await page.locator(`.theme[aria-pressed="${theme === 'dark'}"]`).waitFor();
     const light = await lightness(page);
     assert.ok(theme === 'light' ? light > 0.8 : light < 0.2, `${theme}: ${light}`);
     assert.equal(await page.locator('.theme').getAttribute('aria-pressed'), String(theme === 'dark'));

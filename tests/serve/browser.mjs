@@ -3,11 +3,11 @@
 // browser or its package is missing; with LAMBENT_REQUIRE_BROWSER in the environment it fails instead.
 import assert from 'node:assert/strict';
 import { execFileSync, spawn } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync, rmSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
-import { pathToFileURL } from 'node:url';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 
 function missing(what) {
     const isRequired = Boolean(process.env.LAMBENT_REQUIRE_BROWSER);
@@ -106,6 +106,41 @@ async function slide(page, id, keys, times) {
     await settled(page);
 }
 
+// Mean differences of code values between two JPEGs, left of a column and right of it.
+const difference = (page, one, two, column) => page.evaluate(async ([a, b, middle]) => {
+    const read = async base64 => {
+        const bytes = Uint8Array.from(atob(base64), c => c.charCodeAt(0));
+        const picture = await createImageBitmap(new Blob([bytes], { type: 'image/jpeg' }));
+        const paper = new OffscreenCanvas(picture.width, picture.height).getContext('2d', { willReadFrequently: true });
+        paper.drawImage(picture, 0, 0);
+        return paper.getImageData(0, 0, picture.width, picture.height);
+    };
+    const [first, second] = [await read(a), await read(b)];
+    if (first.width !== second.width || first.height !== second.height) return null;
+    const sums = [0, 0], counts = [0, 0];
+    first.data.forEach((value, i) => {
+        const side = Math.floor(i / 4) % first.width < middle ? 0 : 1;
+        sums[side] += Math.abs(value - second.data[i]);
+        ++counts[side];
+    });
+    return sums.map((sum, side) => sum / counts[side]);
+}, [one.toString('base64'), two.toString('base64'), column]);
+
+// The picture in docs/VIEWER.md. LAMBENT_UPDATE_PICTURES=1 makes it anew.
+async function expectCommittedPicture(page) {
+    const file = fileURLToPath(new URL('../../docs/viewer/browser.jpg', import.meta.url));
+    const shot = await page.screenshot({ type: 'jpeg', quality: 85 });
+    if (process.env.LAMBENT_UPDATE_PICTURES) writeFileSync(file, shot);
+    const panel = await page.locator('#panel').boundingBox();
+    const apart = await difference(page, shot, readFileSync(file), panel.x);
+    // Letters differ from machine to machine; light does not.
+    if (!apart || apart[0] > 1 || apart[1] > 6) {
+        const seen = join(tmpdir(), 'lambent-browser.jpg');
+        writeFileSync(seen, shot);
+        assert.fail(`${seen} is not docs/viewer/browser.jpg: ${apart}`);
+    }
+}
+
 const checks = {
     'the page loads and shows the scene': () => open({}, async page => {
         assert.equal(await page.title(), 'grid - lambent');
@@ -113,6 +148,10 @@ const checks = {
         const box = await page.locator('#picture').boundingBox();
         assert.deepEqual([width, height], [box.width, box.height]);
         assert.ok(mean > 20 && mean < 235, `mean ${mean}`);
+    }),
+    'it looks like the picture in the documentation': () => open({ width: 1280, height: 720 }, async page => {
+        await drag(page, [300, 300], [220, 340]);
+        await expectCommittedPicture(page);
     }),
     'dragging turns, shifts and turns the light': () => open({}, async page => {
         const before = await pixels(page), [azimuth, elevation] = await camera(page);
@@ -176,6 +215,29 @@ const checks = {
         assert.doesNotMatch(await page.inputValue('#command'), /--light/);
         await page.selectOption('#environment', 'studio');
         await page.waitForFunction(() => document.getElementById('command').value.includes('--env studio'));
+    }),
+    'the reference follows the picture with its error': () => open({ width: 620, height: 200 }, async page => {
+        const drawn = await pixels(page);
+        await page.selectOption('#set-layer', 'reference');
+        const traced = () => page.waitForFunction(() => document.getElementById('picture').dataset.kind === 'traced');
+        await traced();
+        assert.match(await page.textContent('#status'), /traced: \d+ samples.*error [\d.]+ %/);
+        const { mean } = await pixels(page);
+        assert.ok(Math.abs(mean / drawn.mean - 1) < 0.15, `${mean} ${drawn.mean}`);
+        await page.selectOption('#set-layer', 'error');
+        await page.waitForFunction(() => document.getElementById('status').textContent.includes('FLIP'));
+        assert.ok((await pixels(page)).mean < drawn.mean / 2);
+        await page.selectOption('#set-layer', 'picture');
+        await settled(page);
+        assert.equal((await pixels(page)).hash, drawn.hash);
+    }),
+    'a file dropped on the page is refused with a reason': () => open({}, async page => {
+        await page.evaluate(() => {
+            const dataTransfer = new DataTransfer();
+            dataTransfer.items.add(new File(['x'], 'model.glb'));
+            document.dispatchEvent(new DragEvent('drop', { dataTransfer, cancelable: true }));
+        });
+        assert.match(await page.textContent('#trouble'), /folders of the server/);
     }),
     'every control has a name': () => open({}, async page => {
         const nameless = await page.evaluate(() => [...document.querySelectorAll('input, select, textarea, button')]

@@ -271,5 +271,70 @@ TEST(Desk, EveryLayerCanBeLookedAt)
         }
 }
 
+// The numbers are those of `lambent compare`, between what the commands write.
+TEST(Desk, TheReferenceFollowsThePictureWithItsError)
+{
+    Stock stock({.cache = false});
+    Desk desk(stock);
+    Wish wish = small_wish("report");
+    wish.values.set("exposure", "0.5");
+    wish.values.set("layer", "reference");
+    wish.values.set("bounces", "2");
+    Seat seat(desk, stock, wish);
+    EXPECT_FALSE(seat.wait_for(Picture::Kind::rest, 0).is_last);
+    Picture traced = seat.wait_for(Picture::Kind::traced, 0);
+    EXPECT_GE(traced.traced->samples, 1.0);
+    while (!traced.is_last)
+        traced = seat.wait_for(Picture::Kind::traced, 0);
+    EXPECT_EQ(traced.codes.width, 96);
+    EXPECT_GT(traced.traced->samples, 16.0);
+    EXPECT_GT(traced.traced->noise, 0.0);
+
+    const testing::Folder folder;
+    const auto run = [&](std::vector<std::string> words) {
+        const testing::Outcome outcome = testing::run_program(LAMBENT_PROGRAM, words);
+        EXPECT_EQ(outcome.code, 0) << outcome.error;
+        return outcome.output;
+    };
+    run({"render", "report", "--env", "furnace", "--size", "96x64", "--samples", "8", "-o",
+         folder.path("a.exr")});
+    run({"reference", "report", "--env", "furnace", "--size", "96x64", "--bounces", "2", "-o",
+         folder.path("b.exr")});
+    const auto found = nlohmann::json::parse(
+        run({"compare", folder.path("a.exr"), folder.path("b.exr"), "--exposure", "0.5", "--clamp", "1"}));
+    EXPECT_NEAR(traced.traced->error, found.at("relative_rmse").get<double>(), 2e-3); // files hold halfs
+    EXPECT_GT(traced.traced->error, 0.02);
+
+    seat.change(1, [](Wish& w, const Eye::World&) { w.values.set("layer", "error"); });
+    Picture error = seat.wait_for(Picture::Kind::traced, 1);
+    while (!error.is_last)
+        error = seat.wait_for(Picture::Kind::traced, 1);
+    run({"render", "report", "--env", "furnace", "--size", "96x64", "--samples", "8", "--exposure", "0.5",
+         "-o", folder.path("a.png")});
+    run({"reference", "report", "--env", "furnace", "--size", "96x64", "--bounces", "2", "--exposure", "0.5",
+         "-o", folder.path("b.png")});
+    const auto flip = nlohmann::json::parse(run({"compare", folder.path("a.png"), folder.path("b.png")}));
+    ASSERT_TRUE(error.traced->flip.has_value());
+    EXPECT_NEAR(*error.traced->flip, flip.at("flip").get<double>(), 1e-6);
+    EXPECT_NE(error.codes.bytes, traced.codes.bytes);
+}
+
+// Whoever moves gets a picture at once, and the trace begins anew.
+TEST(Desk, AMoveEndsATrace)
+{
+    Stock stock({.cache = false});
+    Desk desk(stock);
+    Wish wish = small_wish("grid");
+    wish.values.set("layer", "reference");
+    set_size(wish, 640.0, 360.0);
+    Seat seat(desk, stock, wish);
+    seat.wait_for(Picture::Kind::traced, 0);
+    seat.change(1, [](Wish& w, const Eye::World&) { w.eye.orbit(5.0, 0.0); });
+    EXPECT_EQ(seat.wait_for(Picture::Kind::moving, 1).input, 1u);
+    EXPECT_EQ(seat.wait_for(Picture::Kind::traced, 1).input, 1u);
+    seat.change(2, [](Wish& w, const Eye::World&) { w.values.set("layer", "picture"); });
+    EXPECT_TRUE(seat.wait_for(Picture::Kind::rest, 2).is_last);
+}
+
 } // namespace
 } // namespace lambent::viewer

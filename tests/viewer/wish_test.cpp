@@ -64,5 +64,85 @@ TEST(Wish, SizesAreCutInProportion)
     EXPECT_EQ(wish.height, 16);
 }
 
+Wish wish_of(std::vector<const char*> words)
+{
+    words.insert(words.begin(), {"lambent", "view"});
+    const cli::Arguments parsed = cli::parse_arguments(static_cast<int>(words.size()), words.data());
+    return first_wish(std::get<cli::ViewArguments>(parsed).start);
+}
+
+// What a viewer's command line says is what its first picture's command says.
+TEST(Wish, StartsWithWhatTheCommandLineSays)
+{
+    EXPECT_EQ(command_of(wish_of({"grid"}), "a.png"),
+              "lambent render grid --size 1280x720 --camera 0,0 -o a.png");
+    EXPECT_EQ(command_of(wish_of({"sphere",
+                                  "--env",
+                                  "studio",
+                                  "--size",
+                                  "640x360",
+                                  "--camera",
+                                  "10,-20,3",
+                                  "--target",
+                                  "1,2,3",
+                                  "--exposure",
+                                  "7000",
+                                  "--tone",
+                                  "aces",
+                                  "--model",
+                                  "phong",
+                                  "--alpha",
+                                  "0.1",
+                                  "--env-rotation",
+                                  "270",
+                                  "--background",
+                                  "blur:0.35",
+                                  "--density",
+                                  "2",
+                                  "--backend",
+                                  "cpu",
+                                  "--light",
+                                  "directional:0,45,1,2,3",
+                                  "--dither"}),
+                         "a.png"),
+              "lambent render sphere --env studio --size 640x360 --camera 10,-20,3 --target 1,2,3 --exposure "
+              "7000 --tone "
+              "aces --env-rotation -90 --background blur:0.35 --model phong --alpha 0.1 --light "
+              "directional:0,45,1,2,3 "
+              "--density 2 --backend cpu --dither -o a.png");
+    EXPECT_THROW(wish_of({"grid", "--samples", "60000"}), Error); // everybody else would wait
+    EXPECT_THROW(wish_of({"grid", "--exposure", "-1"}), Error);
+    EXPECT_THROW(wish_of({"grid", "-o", "a.png"}), Error);
+    EXPECT_THROW(wish_of({"grid", "--stats", "json"}), Error);
+}
+
+// A camera at (3, 2, 1) that looks along -X, and a scene around the origin.
+TEST(Wish, LooksThroughACameraOfTheScene)
+{
+    scene::Scene scene;
+    scene.meshes.resize(1);
+    scene.meshes[0].positions = {{-1, -1, -1}, {1, 1, 1}, {1, -1, 1}};
+    scene.meshes[0].triangles = {{0, 1, 2}};
+    scene.instances.resize(1);
+    scene::Camera camera;
+    camera.name = "side";
+    camera.transform = glm::mat4({0, 0, -1, 0}, {0, 1, 0, 0}, {1, 0, 0, 0}, {3, 2, 1, 1});
+    camera.vertical_fov = 0.5f;
+    scene.cameras = {camera};
+    camera.name = "plan";
+    camera.vertical_fov = 0.0f;
+    camera.vertical_size = 4.0f;
+    scene.cameras.push_back(camera);
+    Wish wish;
+    wish.scene = "model.glb";
+    look_through(wish, scene, "side");
+    EXPECT_EQ(wish.values["fov"], "28.6479"); // 0.5 radians
+    EXPECT_EQ(wish.eye.options(), (std::vector<std::string>{"--camera", "90,0,3", "--target", "0,2,1"}));
+    wish.values.set("fov", "90");
+    look_through(wish, scene, "plan"); // at the target 4 m are seen, as 2 m away through 90 degrees
+    EXPECT_EQ(wish.eye.options(), (std::vector<std::string>{"--camera", "90,0,2", "--target", "1,2,1"}));
+    EXPECT_THROW(look_through(wish, scene, "top"), Error);
+}
+
 } // namespace
 } // namespace lambent::viewer

@@ -4,15 +4,30 @@
 #include <cstdlib>
 
 #include <signal.h>
+#include <time.h>
 
 namespace lambent::cli {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
+timespec first{};
 
+// Who asks again after a moment wants an end at once. Within it the same wish has come by two ways: `timeout` signals
+// the program and then its whole group.
 void note(int signal)
 {
-    interrupted = signal;
+    constexpr double moment = 0.5; // seconds
+    timespec now{};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    if (interrupted == 0) {
+        first = now;
+        interrupted = signal;
+    } else if (static_cast<double>(now.tv_sec - first.tv_sec) +
+                   1e-9 * static_cast<double>(now.tv_nsec - first.tv_nsec) >
+               moment) {
+        std::signal(signal, SIG_DFL);
+        std::raise(signal);
+    }
 }
 
 } // namespace
@@ -22,7 +37,6 @@ Interrupt::Interrupt()
     interrupted = 0;
     struct sigaction action {};
     action.sa_handler = note;
-    action.sa_flags = static_cast<int>(SA_RESETHAND); // the next one is not caught
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
 }

@@ -3,7 +3,7 @@
 
 namespace lambent::cli {
 
-/// While it exists, the first SIGINT or SIGTERM only sets a flag; a second one ends the program as usual.
+/// While it exists, the first SIGINT or SIGTERM only sets a flag; one after half a second or more ends the program as usual.
 class Interrupt {
 public:
     Interrupt();

@@ -5,8 +5,8 @@
 
 #ifdef LAMBENT_VULKAN
 #include "apps/cli/device_options.h"
-#include "apps/cli/on_hardware.h"
 #include "draw/vulkan/device_prefilter.h"
+#include "draw/vulkan/on_hardware.h"
 
 #include <memory>
 #include <numeric>
@@ -65,8 +65,8 @@ Filler make_filler(const BakeArguments& arguments, const std::function<void(cons
     const auto warn_and_go_on = [warn](const std::string& line) {
         warn(text(line, "; the processor goes on"));
     };
-    if (const Device device =
-            on_hardware([&] { return std::make_shared<draw::DevicePrefilter>(options); }, warn_and_go_on))
+    if (const Device device = draw::on_hardware(
+            [&] { return std::make_shared<draw::DevicePrefilter>(options); }, warn_and_go_on))
         return by_device_or_processor(device, warn_and_go_on);
 #else
     if (arguments.backend == Backend::vulkan)

@@ -7,7 +7,7 @@
 
 #ifdef LAMBENT_VULKAN
 #include "apps/cli/device_options.h"
-#include "apps/cli/on_hardware.h"
+#include "draw/vulkan/on_hardware.h"
 #endif
 
 namespace lambent::cli {
@@ -25,7 +25,7 @@ std::unique_ptr<draw::Renderer> make_renderer(const RendererChoice& choice, cons
         warn(text(line, "; the processor goes on"));
     };
     std::unique_ptr<draw::Renderer> device =
-        on_hardware([&] { return draw::make_vulkan_renderer(scene, options); }, warn);
+        draw::on_hardware([&] { return draw::make_vulkan_renderer(scene, options); }, warn);
     if (device)
         return draw::make_rescued_renderer(
             std::move(device), [&scene] { return draw::make_cpu_renderer(scene); }, warn);

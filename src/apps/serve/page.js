@@ -38,6 +38,14 @@ function trouble(line) {
     at('trouble').hidden = !line;
 }
 
+const percent = part => `${(100 * part).toPrecision(2)} %`;
+
+function tracedStatus(size, { traced, last }) {
+    const { samples, noise, error, flip } = traced;
+    return `${size}, traced: ${Math.round(samples)} samples${noise > 0 ? `, noise ${percent(noise)}` : ''}; drawn picture's error ` +
+        `${percent(error)}${flip === undefined ? '' : `, FLIP ${flip.toFixed(3)}`}${last ? '' : ', refining'}`;
+}
+
 const recent = [];
 function showStatus(header) {
     const now = performance.now();
@@ -46,6 +54,10 @@ function showStatus(header) {
     const moving = header.kind === 'moving';
     const rate = moving && recent.length > 2 ? `${Math.round((recent.length - 1) * 1000 / (now - recent[0]))}/s, ` : '';
     const size = `${header.width}×${header.height}`;
+    if (header.traced) {
+        at('status').textContent = tracedStatus(size, header);
+        return;
+    }
     at('status').textContent = moving ? `${rate}${size} at ${Math.round(100 * header.scale)} %, ${header.draw_ms.toFixed(0)} ms`
                                       : `${size}, ${header.draw_ms.toFixed(0)} ms${header.kind === 'still' ? ', refining' : ''}`;
 }
@@ -77,10 +89,22 @@ function keep(header, bytes) {
     setTimeout(() => URL.revokeObjectURL(address), 60000);
 }
 
+// Of files the last part of their path, unless two have the same.
+function shortNames(names) {
+    const last = names.map(name => name.slice(name.lastIndexOf('/') + 1));
+    return names.map((name, i) => last.indexOf(last[i]) === last.lastIndexOf(last[i]) ? last[i] : name);
+}
+
+function choose(select, name) {
+    if (![...select.options].some(option => option.value === name))
+        select.append(element('option', { value: name, textContent: name, title: name }));
+    select.value = name;
+}
+
 function fill(select, names, chosen) {
-    if (!names.includes(chosen)) names = [...names, chosen];
-    select.replaceChildren(...names.map(name => element('option', { value: name, textContent: name })));
-    select.value = chosen;
+    const shown = shortNames(names);
+    select.replaceChildren(...names.map((name, i) => element('option', { value: name, textContent: shown[i], title: name })));
+    choose(select, chosen);
 }
 
 const isBuiltIn = name => scenes.includes(name) && !/\.(gltf|glb)$/.test(name);
@@ -90,8 +114,8 @@ function showState(message) {
     for (const row of table) row.show(state.values[row.name]);
     for (const row of table.filter(entry => entry.phong_shapes))
         row.element.hidden = !(state.values.model === 'phong' && isBuiltIn(state.scene));
-    at('scene').value = state.scene;
-    at('environment').value = state.environment;
+    choose(at('scene'), state.scene);
+    choose(at('environment'), state.environment);
     at('command').value = state.command;
     at('warnings').replaceChildren(...state.warnings.map(line => element('li', { textContent: line })));
     if (!at('lights').contains(document.activeElement)) showLights(state.lights);
@@ -162,7 +186,7 @@ function choiceControl(row) {
     const select = element('select', { id });
     fill(select, row.choices, row.usual);
     select.addEventListener('change', () => set(row, select.value));
-    row.show = word => { select.value = word; };
+    row.show = word => choose(select, word);
     return [id, select];
 }
 
@@ -300,6 +324,13 @@ canvas.addEventListener('pointermove', event => {
 for (const name of ['pointerup', 'pointercancel'])
     canvas.addEventListener(name, event => pointers.delete(event.pointerId));
 canvas.addEventListener('contextmenu', event => event.preventDefault());
+// A browser would leave the page for the file.
+document.addEventListener('dragover', event => event.preventDefault());
+document.addEventListener('drop', event => {
+    event.preventDefault();
+    if (event.dataTransfer.files.length > 0)
+        trouble('Files are opened from the folders of the server: choose one under Model or Light around.');
+});
 canvas.addEventListener('wheel', event => {
     event.preventDefault();
     const pixels = event.deltaY * (event.deltaMode === 1 ? 30 : event.deltaMode === 2 ? 400 : 1);

@@ -224,18 +224,25 @@ void WebPresenter::hand_over(std::vector<std::uint8_t> bytes, bool is_text, bool
 
 void WebPresenter::show(Picture picture)
 {
-    const bool moving = picture.kind == Picture::Kind::moving;
-    const char* const kind = moving ? "moving" : picture.kind == Picture::Kind::still ? "still" : "rest";
-    const nlohmann::ordered_json header = {{"type", "frame"},
-                                           {"kind", kind},
-                                           {"format", moving ? "jpeg" : "png"},
-                                           {"width", picture.width},
-                                           {"height", picture.height},
-                                           {"scale", picture.scale},
-                                           {"draw_ms", picture.draw_ms},
-                                           {"input", picture.input}};
+    using Kind = Picture::Kind;
+    // What will soon be replaced need not be without loss.
+    const bool lossy = picture.kind == Kind::moving || (picture.kind == Kind::traced && !picture.is_last);
+    nlohmann::ordered_json header = {{"type", "frame"},
+                                     {"kind", viewer::name_of(picture.kind)},
+                                     {"format", lossy ? "jpeg" : "png"},
+                                     {"width", picture.width},
+                                     {"height", picture.height},
+                                     {"scale", picture.scale},
+                                     {"draw_ms", picture.draw_ms},
+                                     {"input", picture.input},
+                                     {"last", picture.is_last}};
+    if (const std::optional<Picture::Traced>& traced = picture.traced) {
+        header["traced"] = {{"samples", traced->samples}, {"noise", traced->noise}, {"error", traced->error}};
+        if (traced->flip)
+            header["traced"]["flip"] = *traced->flip;
+    }
     const std::vector<std::uint8_t> bytes =
-        moving ? image::encode_jpeg(picture.codes, {quality, true}) : image::encode_png(picture.codes);
+        lossy ? image::encode_jpeg(picture.codes, {quality, true}) : image::encode_png(picture.codes);
     hand_over(frame_message(header.dump(), bytes), false, true);
 }
 

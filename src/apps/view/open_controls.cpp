@@ -25,17 +25,25 @@ void explain(const std::string& name)
         ImGui::SetTooltip("%s", name.c_str());
 }
 
+bool is_short_clear(const std::vector<std::string>& names, const std::string& name)
+{
+    return std::count_if(names.begin(), names.end(), [&](const std::string& other) {
+               return short_name(other) == short_name(name);
+           }) == 1;
+}
+
 // Names may hold what Dear ImGui reads as marks: only their numbers are labels.
 std::string choose(const std::vector<std::string>& names, const std::string& now)
 {
     std::string chosen;
     for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::string shown = is_short_clear(names, names[i]) ? short_name(names[i]) : names[i];
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::Selectable("##name", names[i] == now))
             chosen = names[i];
         explain(names[i]);
         ImGui::SameLine(0.0f, 0.0f);
-        ImGui::TextUnformatted(short_name(names[i]).c_str());
+        ImGui::TextUnformatted(shown.c_str());
         ImGui::PopID();
     }
     return chosen;

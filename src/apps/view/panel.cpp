@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 
 namespace lambent::view_window {
 namespace {
@@ -43,11 +44,30 @@ void wrapped(const std::string& line, const ImVec4& color)
     ImGui::PopStyleColor();
 }
 
+std::string percent(double part)
+{
+    return text(std::setprecision(2), 100.0 * part, " %");
+}
+
+std::string traced_status(const std::string& size, const Shown& shown)
+{
+    const viewer::Picture::Traced& traced = *shown.traced;
+    std::string line = text(size, ", traced: ", std::lround(traced.samples), " samples");
+    if (traced.noise > 0.0)
+        line += text(", noise ", percent(traced.noise));
+    line += text("; drawn picture's error ", percent(traced.error));
+    if (traced.flip)
+        line += text(", FLIP ", std::setprecision(3), *traced.flip);
+    return shown.is_last ? line : text(line, ", refining");
+}
+
 std::string status(const Shown& shown)
 {
     if (shown.loading)
         return "loading";
     const std::string size = text(shown.width, "x", shown.height);
+    if (shown.traced)
+        return traced_status(size, shown);
     const std::string ms = text(std::lround(shown.draw_ms), " ms");
     if (shown.kind != viewer::Picture::Kind::moving)
         return text(size, ", ", ms, shown.kind == viewer::Picture::Kind::still ? ", refining" : "");

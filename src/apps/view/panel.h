@@ -16,7 +16,9 @@ struct Shown {
     viewer::Picture::Kind kind = viewer::Picture::Kind::moving;
     int width = 0, height = 0; ///< of the picture's own pixels
     double scale = 1.0, draw_ms = 0.0;
-    double rate = 0.0; ///< pictures a second while something moves; 0: not known
+    double rate = 0.0;                             ///< pictures a second while something moves; 0: not known
+    std::optional<viewer::Picture::Traced> traced; ///< of the reference, if that is shown
+    bool is_last = false;                          ///< nothing better follows
     bool loading = true;
     bool saving = false, ending = false; ///< ending: the window closes when what is saved is
     std::vector<std::string> warnings;   ///< of the scene

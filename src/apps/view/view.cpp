@@ -149,6 +149,8 @@ void View::take_picture(const viewer::Picture& picture)
     shown_.height = picture.codes.height;
     shown_.scale = picture.scale;
     shown_.draw_ms = picture.draw_ms;
+    shown_.traced = picture.traced;
+    shown_.is_last = picture.is_last;
     const Clock::time_point now = Clock::now();
     if (picture.kind == viewer::Picture::Kind::moving)
         recent_.push_back(now);

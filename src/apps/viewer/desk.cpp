@@ -49,12 +49,26 @@ image::CodeImage codes_of(const Plan& plan, const draw::Frame& frame)
     return cli::picture_codes(frame.radiance, plan.arguments.display, is_transparent(plan));
 }
 
+// What is the same for all pictures.
+void complete(const Plan& plan, double draw_ms, Picture& picture)
+{
+    picture.width = plan.width;
+    picture.height = plan.height;
+    picture.scale = plan.scale;
+    picture.draw_ms = draw_ms;
+    picture.input = plan.input;
+}
+
 Picture picture_of(const Plan& plan, const draw::Frame& frame, double draw_ms)
 {
-    const auto kind = plan.task == Task::moving  ? Picture::Kind::moving
-                      : plan.task == Task::still ? Picture::Kind::still
-                                                 : Picture::Kind::rest;
-    return {kind, codes_of(plan, frame), plan.width, plan.height, plan.scale, draw_ms, plan.input};
+    Picture picture;
+    picture.kind = plan.task == Task::moving  ? Picture::Kind::moving
+                   : plan.task == Task::still ? Picture::Kind::still
+                                              : Picture::Kind::rest;
+    picture.codes = codes_of(plan, frame);
+    picture.is_last = plan.task == Task::rest && !plan.is_compared;
+    complete(plan, draw_ms, picture);
+    return picture;
 }
 
 void pick(const Plan& plan, const draw::Frame& frame, Session& session)
@@ -179,7 +193,7 @@ void Desk::work()
     }
 }
 
-void Desk::carry_out(const Plan& plan, Session& session, std::chrono::milliseconds slice)
+void Desk::draw(const Plan& plan, Session& session, std::chrono::milliseconds slice)
 {
     const Clock::time_point start = Clock::now();
     const bool may_be_left = plan.task == Task::still || plan.task == Task::rest;
@@ -189,13 +203,40 @@ void Desk::carry_out(const Plan& plan, Session& session, std::chrono::millisecon
         if (may_be_left && Clock::now() - start > slice && others_wait(session))
             throw Overtaken{true};
     };
+    const auto& environment = plan.environment->environment;
+    const draw::Settings& settings = plan.arguments.settings;
+    draw::Renderer& renderer = plan.model->renderer(settings.texel_transfer);
+    draw::Frame frame = renderer.draw(environment ? &*environment : nullptr, settings, check);
+    show(plan, frame, ms_since(start), session);
+    if (plan.is_compared)
+        session.drawn(plan, std::move(frame.radiance));
+    session.done(plan, ms_since(start));
+}
+
+// As long as there is something new to be seen by: a picture takes its time to be made and to be sent.
+void Desk::trace(const Plan& plan, Session& session)
+{
+    constexpr auto step = std::chrono::milliseconds(400);
+    const Clock::time_point start = Clock::now();
+    const bool finished = plan.trace->advance([&](const reference::Progress&) {
+        if (ending_ || session.is_stale(plan))
+            throw Overtaken{false};
+        return Clock::now() - start < step && !others_wait(session);
+    });
+    Picture picture = plan.trace->picture();
+    complete(plan, ms_since(start), picture);
+    session.presenter().show(std::move(picture));
+    if (finished)
+        session.traced(plan);
+}
+
+void Desk::carry_out(const Plan& plan, Session& session, std::chrono::milliseconds slice)
+{
     try {
-        const auto& environment = plan.environment->environment;
-        const draw::Settings& settings = plan.arguments.settings;
-        draw::Renderer& renderer = plan.model->renderer(settings.texel_transfer);
-        const draw::Frame frame = renderer.draw(environment ? &*environment : nullptr, settings, check);
-        show(plan, frame, ms_since(start), session);
-        session.done(plan, ms_since(start));
+        if (plan.task == Task::trace)
+            trace(plan, session);
+        else
+            draw(plan, session, slice);
         set_slice(session, false);
     } catch (const Overtaken& overtaken) {
         session.failed(plan, "");

@@ -42,6 +42,8 @@ private:
 
     void work();
     void carry_out(const Plan& plan, Session& session, std::chrono::milliseconds slice);
+    void draw(const Plan& plan, Session& session, std::chrono::milliseconds slice);
+    void trace(const Plan& plan, Session& session);
     bool others_wait(const Session& session);
     void set_slice(const Session& session, bool overtaken);
 

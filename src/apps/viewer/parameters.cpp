@@ -24,8 +24,10 @@ constexpr std::array table = {
               "reinhard neutral aces agx linear"},
     Parameter{"space", "Space", "Display", Kind::choice, "linear", 0, 0, false, "linear nonlinear"},
     Parameter{"layer", "Show", "Display", Kind::choice, "picture", 0, 0, false,
-              "picture base_color specular alpha metalness normal depth occlusion irradiance light_emitted "
+              "picture reference error base_color specular alpha metalness normal depth occlusion irradiance "
+              "light_emitted "
               "light_direct light_ambient light_specular background"},
+    Parameter{"bounces", "Reference bounces", "Display", Kind::whole, "8", 0.0, 64.0},
     Parameter{"env-rotation", "Rotation", "Light", Kind::number, "0", -180.0, 180.0},
     Parameter{"ambient-brightness", "Diffuse brightness", "Light", Kind::number, "1", 0.0, 20.0},
     Parameter{"ibl", "Specular light", "Light", Kind::choice, "sampled", 0, 0, false, "sampled split-sum"},
@@ -144,7 +146,8 @@ std::vector<std::string> Values::options(bool built_in) const
     std::vector<std::string> options;
     for (const Parameter& row : table) {
         const std::string& word = (*this)[row.name];
-        if (row.name == "layer" || word == row.usual || (row.phong_shapes && !phong_shapes))
+        if (row.name == "layer" || row.name == "bounces" || word == row.usual ||
+            (row.phong_shapes && !phong_shapes))
             continue;
         options.push_back(text("--", row.name));
         options.push_back(word);

@@ -24,7 +24,8 @@ constexpr double least_exposure = 1e-3, most_exposure = 1e4, least_fov = 1.0, mo
 
 /// A row of the table. Values are words, as on the command line; an empty one is not given.
 struct Parameter {
-    std::string_view name; ///< with "--" before it the option of `lambent render`, but for `layer`
+    std::string_view
+        name; ///< with "--" before it the option of `lambent render`, but for `layer` and `bounces`
     std::string_view label, group;
     Kind kind = Kind::number;
     std::string_view usual; ///< the default

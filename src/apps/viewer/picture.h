@@ -4,21 +4,39 @@
 #include "image/image.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace lambent::viewer {
 
 struct Picture {
-    /// While something moves; whole but with fewer samples; what the command draws.
-    enum class Kind { moving, still, rest };
+    /// While something moves; whole but with fewer samples; what the command draws; the reference, or the difference to it.
+    enum class Kind { moving, still, rest, traced };
     Kind kind = Kind::moving;
     image::CodeImage codes;
     int width = 0, height = 0; ///< as wished; `codes` may be smaller
     double scale = 1.0;        ///< of `codes`' sides
     double draw_ms = 0.0;
     std::uint64_t input = 0; ///< the last input that it shows
+    bool is_last = false;    ///< nothing better follows
+
+    /// Of Kind::traced.
+    struct Traced {
+        double samples = 0.0; ///< per pixel
+        double noise = 0.0;   ///< relative RMSE that is expected; 0: not known yet
+        double error = 0.0; ///< relative RMSE of the drawn picture, both exposed and cut at 1; noise included
+        std::optional<double> flip; ///< mean FLIP of the drawn picture as displayed, where that is shown
+    };
+    std::optional<Traced> traced;
 };
+
+/// "moving", "still", "rest" or "traced".
+constexpr const char* name_of(Picture::Kind kind)
+{
+    constexpr const char* names[] = {"moving", "still", "rest", "traced"};
+    return names[static_cast<int>(kind)];
+}
 
 /// A picture as a file.
 struct Saved {

@@ -41,6 +41,9 @@ void Session::touch(std::uint64_t input)
     input_ = std::max(input_, input);
     last_input_ = Clock::now();
     ++serial_;
+    // Memory that nobody needs any more.
+    drawn_ = {};
+    trace_.reset();
 }
 
 Eye::World Session::world() const
@@ -133,7 +136,7 @@ void Session::close()
 
 bool Session::is_hungry() const
 {
-    return !closed_ && serial_ != drawn_ && in_flight_ < most_in_flight;
+    return !closed_ && serial_ != drawn_serial_ && in_flight_ < most_in_flight;
 }
 
 void Session::set_error(const std::string& line)
@@ -163,6 +166,32 @@ bool Session::find_things(const Wish& wish)
         ++serial_;
     }
     return model_ && environment_;
+}
+
+bool Session::is_compared() const
+{
+    const std::string& layer = wish_.values["layer"];
+    return layer == "reference" || layer == "error";
+}
+
+// Whether what is at rest can be compared now.
+bool Session::find_trace()
+{
+    if (!is_compared() || rest_ != serial_ || traced_ == serial_)
+        return false;
+    if (trace_)
+        return true;
+    const Found<const RawEnvironment> raw = stock_.raw_environment(wish_.environment);
+    if (!raw.value || drawn_.values.empty())
+        return false; // it is being loaded, or the environment's error has been said already
+    TraceTask task;
+    task.arguments = planned(Plan::Task::rest).arguments;
+    task.bounces = std::stoi(wish_.values["bounces"]);
+    task.shows_error = wish_.values["layer"] == "error";
+    task.model = model_;
+    task.environment = raw.value;
+    trace_ = std::make_shared<Trace>(std::move(task), std::exchange(drawn_, {}));
+    return true;
 }
 
 void Session::look_for_opening()
@@ -208,8 +237,10 @@ std::optional<Plan::Task> Session::task_now(Clock::time_point now, Clock::time_p
         return std::nullopt;
     if (place_)
         return Plan::Task::pick;
-    if (drawn_ != serial_)
+    if (drawn_serial_ != serial_)
         return Plan::Task::moving;
+    if (find_trace())
+        return Plan::Task::trace;
     if (rest_ == serial_)
         return std::nullopt;
     if (now - last_input_ < settle) {
@@ -248,6 +279,11 @@ Plan Session::planned(Plan::Task task)
     }
     if (task == Plan::Task::pick)
         plan.place = *std::exchange(place_, std::nullopt);
+    plan.is_compared = task == Plan::Task::rest && is_compared();
+    if (task == Plan::Task::trace)
+        plan.trace = trace_;
+    if (is_compared())
+        plan.layer = "picture";
     plan.arguments.settings.layers = task == Plan::Task::pick || plan.layer != "picture";
     return plan;
 }
@@ -282,7 +318,7 @@ void Session::done(const Plan& plan, double milliseconds)
         const std::lock_guard lock(mutex_);
         if (plan.task == Plan::Task::moving) {
             pace_.made(plan.scale, milliseconds);
-            drawn_ = plan.serial;
+            drawn_serial_ = plan.serial;
         }
         if (plan.task == Plan::Task::save)
             saving_ = !save_kind_.empty();
@@ -297,6 +333,21 @@ void Session::done(const Plan& plan, double milliseconds)
         presenter_->say(state);
 }
 
+void Session::drawn(const Plan& plan, image::RadianceImage light)
+{
+    const std::lock_guard lock(mutex_);
+    if (plan.serial == serial_)
+        drawn_ = std::move(light);
+}
+
+void Session::traced(const Plan& plan)
+{
+    const std::lock_guard lock(mutex_);
+    traced_ = plan.serial;
+    if (plan.serial == serial_)
+        trace_.reset();
+}
+
 void Session::failed(const Plan& plan, const std::string& line)
 {
     const std::lock_guard lock(mutex_);
@@ -308,7 +359,7 @@ void Session::failed(const Plan& plan, const std::string& line)
         return; // overtaken: it is planned again
     set_error(line);
     // Not again until something changes.
-    drawn_ = still_ = rest_ = plan.serial;
+    drawn_serial_ = still_ = rest_ = traced_ = plan.serial;
 }
 
 void Session::picked(const glm::dvec3& point, const Plan&)

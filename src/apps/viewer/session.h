@@ -4,6 +4,7 @@
 #include "apps/viewer/pace.h"
 #include "apps/viewer/picture.h"
 #include "apps/viewer/stock.h"
+#include "apps/viewer/trace.h"
 #include "apps/viewer/wish.h"
 
 #include <array>
@@ -21,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 
 /// One piece of work for the drawing thread.
 struct Plan {
-    enum class Task { moving, still, rest, save, pick };
+    enum class Task { moving, still, rest, trace, save, pick };
     Task task = Task::moving;
     cli::RenderArguments arguments; ///< with the camera, at the size to draw
     std::string layer;              ///< "picture", or of the frame's layers
@@ -31,6 +32,8 @@ struct Plan {
     int width = 0, height = 0;     ///< as wished
     std::uint64_t serial = 0;      ///< of the wish
     std::uint64_t input = 0;       ///< as Picture::input
+    std::shared_ptr<Trace> trace;  ///< trace: to go on with
+    bool is_compared = false;      ///< rest: a trace is to follow
     std::string file, command;     ///< save
     std::array<double, 2> place{}; ///< pick: in parts of the picture, from its top left
 };
@@ -79,6 +82,12 @@ public:
 
     /// A plan was carried out and shown; took so long in all.
     void done(const Plan& plan, double milliseconds);
+
+    /// The light that was drawn by a plan that is compared.
+    void drawn(const Plan& plan, image::RadianceImage light);
+
+    /// The plan's trace has come to its end.
+    void traced(const Plan& plan);
     void failed(const Plan& plan, const std::string& line);
     void picked(const glm::dvec3& point, const Plan& plan);
 
@@ -106,6 +115,8 @@ private:
     Eye::World world() const;
     void look_for_opening();
     bool find_things(const Wish& wish);
+    bool find_trace();
+    bool is_compared() const;
     void set_error(const std::string& line);
     std::optional<Plan::Task> task_now(Clock::time_point now, Clock::time_point& wake);
     Plan planned(Plan::Task task);
@@ -119,14 +130,16 @@ private:
     Pace pace_;
     std::shared_ptr<Model> model_;
     std::shared_ptr<const cli::LoadedEnvironment> environment_;
+    image::RadianceImage drawn_; ///< at rest; empty: not compared, or not yet drawn
+    std::shared_ptr<Trace> trace_;
     Opening opening_;
     std::string file_error_, error_; ///< of what is watched; of what was asked for last
     bool pending_ = true;            ///< what is wished is still being loaded
     bool announce_ = true;           ///< the state is to be said
     std::string save_kind_;
     std::optional<std::array<double, 2>> place_;
-    std::atomic<std::uint64_t> serial_ = 1, drawn_ = 0;
-    std::uint64_t still_ = 0, rest_ = 0, input_ = 0;
+    std::atomic<std::uint64_t> serial_ = 1, drawn_serial_ = 0;
+    std::uint64_t still_ = 0, rest_ = 0, traced_ = 0, input_ = 0;
     std::atomic<int> in_flight_ = 0;
     std::atomic<bool> closed_ = false, saving_ = false;
     Clock::time_point last_input_{};

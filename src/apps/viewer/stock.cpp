@@ -1,6 +1,7 @@
 #include "apps/viewer/stock.h"
 
 #include "apps/cli/picture_setup.h"
+#include "apps/cli/reference_setup.h"
 #include "base/text.h"
 #include "environment/builtin.h"
 #include "scene/builtin.h"
@@ -32,6 +33,12 @@ std::string model_key(const cli::RenderArguments& arguments)
     const scene::BuiltinOptions& options = arguments.builtin;
     return text("model\n", arguments.scene, "\n", color(options.diffuse), " ", color(options.specular), " ",
                 options.exponent.value_or(0.0f), " ", options.density);
+}
+
+// "" where there is none to watch.
+std::string file_of_environment(const std::string& name)
+{
+    return name == "none" || environment::is_builtin(name) ? "" : name;
 }
 
 std::shared_ptr<void> load_model(const cli::RenderArguments& arguments, const cli::RendererChoice& backend)
@@ -101,11 +108,19 @@ Found<Model> Stock::model(const cli::RenderArguments& arguments)
 
 Found<const cli::LoadedEnvironment> Stock::environment(const std::string& name)
 {
-    const std::string file = name == "none" || environment::is_builtin(name) ? "" : name;
     return find<const cli::LoadedEnvironment>(
-        text("environment\n", name), file, [name, cache = options_.cache] {
+        text("environment\n", name), file_of_environment(name), [name, cache = options_.cache] {
             return std::make_shared<cli::LoadedEnvironment>(cli::load_environment(name, cache));
         });
+}
+
+Found<const RawEnvironment> Stock::raw_environment(const std::string& name)
+{
+    return find<const RawEnvironment>(text("raw\n", name), file_of_environment(name), [name] {
+        Warnings said_already;
+        return std::make_shared<RawEnvironment>(
+            RawEnvironment{cli::load_raw_environment(name, said_already)});
+    });
 }
 
 Stock::Slot& Stock::wait_for(const std::string& key, std::unique_lock<std::mutex>& lock)

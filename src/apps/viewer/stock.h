@@ -14,6 +14,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -45,6 +46,11 @@ private:
     std::map<draw::TexelTransfer, std::unique_ptr<draw::Renderer>> renderers_;
 };
 
+/// A panorama as it is in its file, for the reference.
+struct RawEnvironment {
+    std::optional<image::RadianceImage> panorama; ///< unset: "none"
+};
+
 /// What is there of something asked for. After a file changed `value` is the old one until the new one is loaded, and
 /// stays it, with the reason as `error`, if that cannot be.
 template <class T>
@@ -70,6 +76,9 @@ public:
 
     /// The environment of this name. Never waits.
     Found<const cli::LoadedEnvironment> environment(const std::string& name);
+
+    /// The same environment unprepared. Never waits.
+    Found<const RawEnvironment> raw_environment(const std::string& name);
 
     /// Waits until both were loaded. Throws Error if one could not be.
     void load(const cli::RenderArguments& arguments);

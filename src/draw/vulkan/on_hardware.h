@@ -1,4 +1,4 @@
-// What `--backend auto` does about graphics devices. Only where the program was built with Vulkan.
+// Work on a graphics device where there is one, and what else to do where there is none.
 #pragma once
 
 #include "vulkan/api.h"
@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-namespace lambent::cli {
+namespace lambent::draw {
 
 /// What `make` makes, a pointer; null where there is no hardware to make it on, and, after `warn` was told why, where the
 /// hardware fails.
@@ -27,4 +27,4 @@ auto on_hardware(const Make& make, const std::function<void(const std::string&)>
     return nullptr;
 }
 
-} // namespace lambent::cli
+} // namespace lambent::draw

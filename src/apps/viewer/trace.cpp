@@ -1,0 +1,81 @@
+#include "apps/viewer/trace.h"
+
+#include "apps/cli/picture_file.h"
+#include "apps/cli/reference_setup.h"
+#include "compare/color_map.h"
+#include "compare/difference.h"
+#include "compare/flip.h"
+#include "compare/picture.h"
+
+#include <utility>
+
+namespace lambent::viewer {
+namespace {
+
+// Codes as compare takes them.
+image::RadianceImage as_values(const image::CodeImage& codes)
+{
+    const auto channels = static_cast<std::size_t>(codes.channels);
+    image::RadianceImage values{codes.width, codes.height, 3, {}};
+    values.values.reserve(codes.bytes.size() / channels * 3);
+    for (std::size_t i = 0; i < codes.bytes.size(); i += channels)
+        for (std::size_t c = 0; c < 3; ++c)
+            values.values.push_back(static_cast<float>(codes.bytes[i + c]) / 255.0f);
+    return values;
+}
+
+} // namespace
+
+Trace::Trace(TraceTask task, image::RadianceImage drawn) : task_(std::move(task)), drawn_(std::move(drawn)) {}
+
+bool Trace::advance(const reference::GoOn& go_on)
+{
+    if (!tracing_) {
+        cli::ReferenceArguments reference;
+        reference.picture = task_.arguments;
+        reference.bounces = task_.bounces;
+        reference::Settings settings = cli::reference_settings(reference, task_.model->scene());
+        settings.camera = task_.arguments.settings.camera;
+        const std::optional<image::RadianceImage>& panorama = task_.environment->panorama;
+        tracing_.emplace(task_.model->scene(), panorama ? &*panorama : nullptr, settings);
+    }
+    finished_ = tracing_->advance(go_on);
+    return finished_;
+}
+
+Picture Trace::picture() const
+{
+    const reference::Result result = tracing_->result();
+    Picture picture;
+    picture.kind = Picture::Kind::traced;
+    picture.is_last = finished_;
+    picture.traced = Picture::Traced{result.samples, result.noise, 0.0, std::nullopt};
+    // Both as far as a display shows them: one lamp in sight would outweigh everything else.
+    image::RadianceImage drawn = drawn_, traced = result.radiance;
+    for (image::RadianceImage* image : {&drawn, &traced}) {
+        compare::expose(*image, task_.arguments.display.exposure);
+        compare::clamp(*image, 1.0f);
+    }
+    picture.traced->error = compare::difference({drawn, traced}, 1.0).relative_rmse;
+    const bool transparent = task_.arguments.settings.background.kind == draw::Background::Kind::none;
+    picture.codes =
+        cli::picture_codes(result.radiance, task_.arguments.display, transparent && !task_.shows_error);
+    if (task_.shows_error)
+        picture.codes = error_codes(picture.codes, *picture.traced);
+    return picture;
+}
+
+image::CodeImage Trace::error_codes(const image::CodeImage& traced, Picture::Traced& numbers) const
+{
+    const image::RadianceImage drawn = as_values(cli::picture_codes(drawn_, task_.arguments.display, false));
+    const compare::ErrorMap map = compare::ldr_flip({drawn, as_values(traced)});
+    numbers.flip = compare::mean(map);
+    image::CodeImage codes{map.width, map.height, 3, 8, {}};
+    codes.bytes.reserve(3 * map.values.size());
+    for (const float error : map.values)
+        for (const std::uint8_t code : compare::color_of(error))
+            codes.bytes.push_back(code);
+    return codes;
+}
+
+} // namespace lambent::viewer

@@ -1,0 +1,44 @@
+// A drawn picture beside what it should have been: the reference, traced bit by bit, and the difference.
+#pragma once
+
+#include "apps/viewer/picture.h"
+#include "apps/viewer/stock.h"
+#include "reference/tracer.h"
+
+#include <memory>
+#include <optional>
+
+namespace lambent::viewer {
+
+/// What is compared, and how it is shown.
+struct TraceTask {
+    cli::RenderArguments arguments; ///< of the drawn picture, with its camera
+    int bounces = 8;                ///< as `lambent reference`'s
+    bool shows_error = false;       ///< FLIP, pixel by pixel, instead of the reference
+    std::shared_ptr<Model> model;
+    std::shared_ptr<const RawEnvironment> environment;
+};
+
+/// Of the drawing thread alone.
+class Trace {
+public:
+    /// `drawn`: the picture's light.
+    Trace(TraceTask task, image::RadianceImage drawn);
+
+    /// Traces on, as reference::Tracing::advance; whether that is the end: the limits are `lambent reference`'s usual ones.
+    /// Throws as that.
+    bool advance(const reference::GoOn& go_on);
+
+    /// What there is to see after the first advance(), with its numbers. The rest of the picture is left to the caller.
+    Picture picture() const;
+
+private:
+    image::CodeImage error_codes(const image::CodeImage& traced, Picture::Traced& numbers) const;
+
+    TraceTask task_;
+    image::RadianceImage drawn_;
+    std::optional<reference::Tracing> tracing_;
+    bool finished_ = false;
+};
+
+} // namespace lambent::viewer
