@@ -86,6 +86,11 @@ int Running::wait(double seconds)
     return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
+void Running::signal(int number) const
+{
+    kill(process_, number);
+}
+
 double Screenshot::mean(const Area& area) const
 {
     double sum = 0.0;
@@ -106,7 +111,18 @@ double Screenshot::difference(const Screenshot& other, const Area& area) const
     return sum / (3.0 * area.width * area.height);
 }
 
-std::unique_ptr<Desktop> Desktop::open(std::string& why)
+double Screenshot::redness(const Area& area) const
+{
+    int red = 0;
+    for (int y = area.y; y < area.y + area.height; ++y)
+        for (int x = area.x; x < area.x + area.width; ++x) {
+            const auto at = static_cast<std::size_t>(3 * (y * width + x));
+            red += rgb[at] > 180 && rgb[at] > rgb[at + 1] + 60 && rgb[at] > rgb[at + 2] + 60;
+        }
+    return red / (1.0 * area.width * area.height);
+}
+
+std::unique_ptr<Desktop> Desktop::open(std::string& why, const std::string& more)
 {
     for (const char* program : {"Xvfb", "xdotool"})
         if (!is_installed(program)) {
@@ -118,7 +134,7 @@ std::unique_ptr<Desktop> Desktop::open(std::string& why)
     // Xvfb chooses a free display and says which when it is ready; its screen is a file.
     desktop->server_ = std::make_unique<Running>(
         std::vector<std::string>{"sh", "-c",
-                                 text("exec Xvfb -displayfd 3 -screen 0 1280x800x24 -fbdir '",
+                                 text("exec Xvfb -displayfd 3 -screen 0 1280x800x24 ", more, " -fbdir '",
                                       desktop->folder_.path("."), "' 3> '", number, "'")},
         log);
     for (int i = 0; i < 500 && contents(number).find('\n') == std::string::npos; ++i)

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <utility>
 
 namespace lambent::view_window {
 namespace {
@@ -174,8 +175,22 @@ Pressed Panels::show_panel(viewer::Session& session, const Shown& shown)
     return pressed;
 }
 
+// Where a window comes or goes, Dear ImGui gives the keys to one that is left, one or two frames later. Nobody clicked there.
+void Panels::release_keys()
+{
+    constexpr int frames = 4;
+    const bool turned = std::exchange(was_open_, is_open) != is_open;
+    if (std::exchange(had_help_, help) != help || turned)
+        release_ = frames;
+    if (release_ > 0) {
+        --release_;
+        ImGui::SetWindowFocus(nullptr);
+    }
+}
+
 Pressed Panels::show(viewer::Session& session, const Shown& shown)
 {
+    release_keys();
     Pressed pressed;
     if (is_open)
         pressed = show_panel(session, shown);

@@ -48,10 +48,13 @@ public:
     bool is_open = true, help = false;
 
 private:
+    void release_keys();
     Pressed show_panel(viewer::Session& session, const Shown& shown);
 
     OpenControls files_;
     LightControls lights_;
+    bool was_open_ = false, had_help_ = false;
+    int release_ = 0; ///< in so many frames the keys go back to the picture
 };
 
 } // namespace lambent::view_window
