@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -156,20 +157,27 @@ bool Desktop::act(const std::vector<std::string>& words) const
 }
 
 // [X Window dump, XWDFile.h] The server keeps it in its own order of bytes, 32 bits a pixel.
-Screenshot Desktop::look() const
+Screenshot Desktop::look(int rows) const
 {
-    const std::string bytes = contents(folder_.path("Xvfb_screen0"));
+    std::ifstream file(folder_.path("Xvfb_screen0"), std::ios::binary);
+    std::string header(100, '\0');
     Screenshot shot;
-    if (bytes.size() < 100)
+    if (!file.read(header.data(), static_cast<std::streamsize>(header.size())))
         return shot;
-    shot.width = static_cast<int>(number(bytes, 4));
-    shot.height = static_cast<int>(number(bytes, 5));
-    const std::size_t start = number(bytes, 0) + 12 * number(bytes, 19), pitch = number(bytes, 12);
-    for (int y = 0; y < shot.height; ++y)
-        for (int x = 0; x < shot.width; ++x)
-            for (std::size_t c : {2u, 1u, 0u})
-                shot.rgb.push_back(static_cast<unsigned char>(bytes.at(
-                    start + static_cast<std::size_t>(y) * pitch + 4 * static_cast<std::size_t>(x) + c)));
+    shot.width = static_cast<int>(number(header, 4));
+    shot.height = std::min(static_cast<int>(number(header, 5)), rows);
+    const std::size_t start = number(header, 0) + 12 * number(header, 19), pitch = number(header, 12);
+    std::string bytes(pitch * static_cast<std::size_t>(shot.height), '\0');
+    file.seekg(static_cast<std::streamoff>(start));
+    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    shot.rgb.resize(static_cast<std::size_t>(3 * shot.width * shot.height));
+    unsigned char* to = shot.rgb.data();
+    for (int y = 0; y < shot.height; ++y) {
+        const char* from = bytes.data() + static_cast<std::size_t>(y) * pitch;
+        for (int x = 0; x < shot.width; ++x, from += 4, to += 3)
+            for (int c = 0; c < 3; ++c)
+                to[c] = static_cast<unsigned char>(from[2 - c]);
+    }
     return shot;
 }
 

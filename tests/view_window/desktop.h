@@ -56,7 +56,8 @@ public:
     /// Calls xdotool; false if it failed.
     bool act(const std::vector<std::string>& words) const;
 
-    Screenshot look() const;
+    /// At most so many rows from the top.
+    Screenshot look(int rows = 65536) const;
 
     /// Looks until nothing has changed for a while, at most `seconds`.
     Screenshot look_at_rest(double seconds) const;
