@@ -6,8 +6,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 namespace lambent::view_window {
 namespace {
@@ -71,13 +73,12 @@ bool View::is_done(bool stopped)
         ending_ = now;
         unsaved_.clear();
     }
-    const bool saving = session_->is_saving(); // asked first: what was saved is there after it
     take_news();
     if (!unsaved_.empty() && stopped)
         throw Error(Failure::cannot_write, unsaved_);
     if (!unsaved_.empty())
         window_.stay();
-    return unsaved_.empty() && (!saving || now - ending_ > patience);
+    return unsaved_.empty() && (!shown_.saving || now - ending_ > patience);
 }
 
 void View::draw()
@@ -118,12 +119,15 @@ void View::act(const Pressed& pressed, const Asked& asked)
         window_.copy(shown_.command);
         notice("The command was copied.");
     }
-    if (pressed.save || asked.save)
+    if (pressed.save || asked.save) {
         session_->save("png");
+        ++awaited_;
+    }
 }
 
 void View::take_news()
 {
+    shown_.saving = session_->is_saving(); // asked first: what was saved before is there now
     const Screen::News news = screen_->take();
     for (int i = 0; i < news.shown; ++i)
         session_->seen();
@@ -133,7 +137,10 @@ void View::take_news()
         take_state(*news.state);
     for (const viewer::Saved& saved : news.saved)
         write(saved);
-    shown_.saving = session_->is_saving();
+    if (awaited_ > 0 && !shown_.saving) {
+        awaited_ = 0;
+        give_up_saving(nlohmann::json::parse(session_->state(), nullptr, false).value("error", ""));
+    }
     shown_.command = viewer::command_of(session_->wish(), "picture.png");
     if (Clock::now() - noticed_ > notice_lasts)
         shown_.notice.clear();
@@ -172,14 +179,20 @@ void View::take_state(const std::string& words)
 
 void View::write(const viewer::Saved& saved)
 {
+    awaited_ = std::max(awaited_ - 1, 0);
     try {
         const std::string name = free_name(saved.name);
         write_file(name, saved.bytes);
         notice(text("Saved as ", name, "."));
     } catch (const Error& error) {
-        refuse(error.what());
-        unsaved_ = error.what();
+        give_up_saving(error.what());
     }
+}
+
+void View::give_up_saving(const std::string& why)
+{
+    unsaved_ = text("The picture was not saved: ", why);
+    refuse(unsaved_);
 }
 
 void View::follow_size()

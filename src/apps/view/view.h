@@ -41,6 +41,7 @@ private:
     void take_picture(const viewer::Picture& picture);
     void take_state(const std::string& state);
     void write(const viewer::Saved& saved);
+    void give_up_saving(const std::string& why);
     void follow_size();
     void open_next();
     void notice(const std::string& line);
@@ -56,7 +57,8 @@ private:
     std::deque<Opening> openings_;
     std::deque<viewer::Clock::time_point> recent_; ///< pictures while moving
     viewer::Clock::time_point noticed_{}, refused_{}, ending_{};
-    std::string unsaved_; ///< why a picture could not be written since the end was asked for
+    int awaited_ = 0;     ///< pictures that were asked to be saved
+    std::string unsaved_; ///< why one could not be since the end was asked for; empty: all could
 };
 
 } // namespace lambent::view_window
