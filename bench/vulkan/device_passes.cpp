@@ -1,5 +1,6 @@
 // The passes on a Vulkan device by its own clock, and the whole drawing beside the processor's.
 #include "bench/side_by_side.h"
+#include "bench/vulkan/shading_flops.h"
 #include "base/error.h"
 #include "draw/cpu/cpu_renderer.h"
 #include "draw/vulkan/device_prefilter.h"
@@ -62,6 +63,14 @@ double covered(const image::RadianceImage& image)
     return sum;
 }
 
+// Lamps of the environment, which are few, left out.
+void print_specular(double samples, double fragments, double seconds)
+{
+    const bench::SpecularFlops flops = bench::count_specular_flops();
+    std::printf("   %.0f million samples/s, %.1f Gflop/s (%.0f a sample)", samples / mega / seconds,
+                (samples * flops.sample + fragments * flops.fragment) / giga / seconds, flops.sample);
+}
+
 // Medians of each pass over several pictures.
 void print_passes(draw::Renderer& renderer, const environment::Environment& environment,
                   const draw::Settings& settings)
@@ -78,7 +87,7 @@ void print_passes(draw::Renderer& renderer, const environment::Environment& envi
                  surfaces = covered(frame.radiance);
     std::printf("grid, %dx%d, %d samples, %.0f %% covered\n", settings.width, settings.height,
                 settings.samples, 100.0 * surfaces / pixels);
-    std::printf("%-12s %10s %10s %14s\n", "pass", "ms", "GB/s", "");
+    std::printf("%-12s %10s %10s\n", "pass", "ms", "GB/s");
     double all = 0.0;
     for (const auto& pass : frame.passes) {
         const double ms = bench::median(times[pass.first]);
@@ -87,7 +96,7 @@ void print_passes(draw::Renderer& renderer, const environment::Environment& envi
         std::printf("%-12s %10.3f %10.1f", pass.first.c_str(), ms,
                     (t.pixel * pixels + t.surface * surfaces) / giga / (ms * 1e-3));
         if (pass.first == "specular")
-            std::printf("   %.0f million samples/s", surfaces * settings.samples / mega / (ms * 1e-3));
+            print_specular(surfaces * settings.samples, surfaces, ms * 1e-3);
         std::printf("\n");
     }
     std::printf("%-12s %10.3f\n\n", "all", all);

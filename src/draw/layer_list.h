@@ -9,11 +9,14 @@
 
 namespace lambent::draw {
 
+/// What a layer shows of its columns: one, three times; three; the square root of one, three times.
+enum class Reading { one, three, root };
+
 struct LayerSource {
     const char* name;
     Layer::Kind kind;
-    Column first;   ///< the column, or the first of three
-    bool is_vector; ///< three columns; else one, shown three times
+    Column first; ///< the column, or the first of three
+    Reading reading;
 };
 
 /// Every layer but the background, in the order in which a picture is made.

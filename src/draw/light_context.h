@@ -32,6 +32,7 @@ struct LightContext {
     glm::vec3 across{1.0f, 0.0f, 0.0f}; ///< to the right of the camera, unit length
     float rotation_cosine = 1.0f, rotation_sine = 0.0f;
     const SampleTables* tables = nullptr;
+    bool middle_level = false; ///< fill that column
 };
 
 } // namespace lambent::draw

@@ -92,6 +92,7 @@ PreparedPicture::PreparedPicture(std::span<const scene::Light> scene_lights,
     light.rotation_cosine = std::cos(settings.environment_rotation);
     light.rotation_sine = std::sin(settings.environment_rotation);
     light.tables = &tables;
+    light.middle_level = settings.layers;
     if (environment)
         background_level = static_cast<float>(level_of_background(*environment, settings, rays));
 }

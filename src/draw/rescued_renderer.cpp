@@ -29,13 +29,22 @@ public:
         }
         renderer_.reset(); // before the other takes memory
         renderer_ = std::exchange(make_other_, nullptr)();
+        if (posed_)
+            renderer_->pose(*posed_);
         return renderer_->draw(environment, settings, progress);
+    }
+
+    void pose(const scene::Scene& scene) override
+    {
+        posed_ = &scene;
+        renderer_->pose(scene);
     }
 
     Device device() const override { return renderer_->device(); }
 
 private:
     std::unique_ptr<Renderer> renderer_;
+    const scene::Scene* posed_ = nullptr;                   ///< null: as it was made
     std::function<std::unique_ptr<Renderer>()> make_other_; ///< null: it was made
     std::function<void(const std::string&)> warn_;
 };

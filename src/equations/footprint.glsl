@@ -13,6 +13,9 @@ Real level_of_variance(Real variance)
     return max(select(variance < 1.0, below, above), 0.0);
 }
 
+// A level as a part of the highest that there is, 0 to 1. Witness: the ends of a chain, and its middle.
+Real part_of_levels(Real level, Real highest) { return clamp(level / max(highest, 1.0), 0.0, 1.0); }
+
 // The share of a lobe's solid angle that one of its N samples stands for, as the variance of a Gaussian: the spread
 // is 1 / (N density), and neighbours a distance sqrt(spread) apart overlap well at 0.55 of it: the error over a sphere
 // is least there. (A sun would show each sample as a dot below 0.67, but is not in the blurs that are so wide.)

@@ -30,11 +30,12 @@ const int column_direct = 24;
 const int column_irradiance = 27;
 const int column_ambient = 30;
 const int column_reflected = 33;
-const int column_depth = 36;
-const int column_opacity = 37;
-const int column_emitted = 38;
-const int column_lit = 41; // 0: unlit, no pass gives it light
-const int column_count = 42;
+const int column_middle_level = 36;
+const int column_depth = 37;
+const int column_opacity = 38;
+const int column_emitted = 39;
+const int column_lit = 42; // 0: unlit, no pass gives it light
+const int column_count = 43;
 
 const int group_size = 64;
 

@@ -38,6 +38,11 @@ const int background_color = 1;
 const int background_panorama = 2;
 const int background_blurred = 3;
 
+// How a layer is read from columns, as draw/layer_list.h has it.
+const int read_one = 0;
+const int read_three = 1;
+const int read_root = 2;
+
 struct PictureRecord {
     vec4 across;     // xyz: to the right of the camera, unit length
     vec4 rotation;   // cosine and sine of the environment's turn; ambient brightness; energy compensation, 0 or 1
@@ -53,13 +58,14 @@ struct PictureRecord {
     vec4 direction_dy;
     ivec4 tile;  // x, y, width, height
     ivec4 apron; // the same with the pixels around it
+    vec4 surfaces; // x: perceptual roughness of all of them; below 0: their own
     vec4 edges;  // cosine of an edge's bend; of what is lit as one; extent of a look
     vec4 background; // rgb; w: level of blur
     vec4 blur;       // of the two levels read: share and variance of the lamps that are not in them
     ivec4 behind;    // kind of background; size of the panorama
     vec4 panorama;   // x: scale
     uvec4 addresses; // of the geometry; of the panorama
-    ivec4 layers[4]; // sixteen times: 2 * column, + 1 where it is a vector; -1: the background
+    ivec4 layers[4]; // sixteen times: 4 * column + how it is read; -1: the background
 };
 
 // A surface of a pixel that is lit at one point.

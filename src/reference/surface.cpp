@@ -45,8 +45,9 @@ struct Surfaces::Corners {
     }
 };
 
-Surfaces::Surfaces(const scene::Scene& scene, view::Model model, view::TexelTransfer transfer)
-    : scene_(scene), model_(model), transfer_(transfer)
+Surfaces::Surfaces(const scene::Scene& scene, view::Model model, view::TexelTransfer transfer,
+                   std::optional<float> roughness)
+    : scene_(scene), model_(model), transfer_(transfer), roughness_(roughness)
 {
     for (const scene::Instance& instance : scene.instances) {
         const scene::Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
@@ -122,12 +123,19 @@ void Surfaces::fill_phong(const scene::Material& material, double roughness, Sur
     surface.base = given.diffuse ? glm::dvec3(*given.diffuse) : (1.0 - surface.metalness) * surface.base;
 }
 
+double Surfaces::roughness_of(const scene::Material& material, double texel) const
+{
+    if (roughness_)
+        return static_cast<double>(*roughness_);
+    return std::clamp(texel * static_cast<double>(material.perceptual_roughness), 0.0, 1.0);
+}
+
 void Surfaces::fill_material(const Placed& placed, const Corners& c, Surface& surface) const
 {
     const scene::Material& m = *placed.material;
     surface.base = glm::dvec3(base_color(placed, c));
     const glm::dvec4 rough = read(m.metallic_roughness_texture, view::TexelTransfer::none, c);
-    const double roughness = std::clamp(rough.g * static_cast<double>(m.perceptual_roughness), 0.0, 1.0);
+    const double roughness = roughness_of(m, rough.g);
     surface.metalness = std::clamp(rough.b * static_cast<double>(m.metallic), 0.0, 1.0);
     surface.unlit = m.unlit;
     surface.emitted =

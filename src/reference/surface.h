@@ -6,6 +6,7 @@
 #include "trace/visibility.h"
 #include "view/picture.h"
 
+#include <optional>
 #include <vector>
 
 namespace lambent::reference {
@@ -13,7 +14,9 @@ namespace lambent::reference {
 /// A scene with the few numbers per instance that every hit needs. The scene must outlive it.
 class Surfaces {
 public:
-    Surfaces(const scene::Scene& scene, view::Model model, view::TexelTransfer transfer);
+    /// `roughness`: perceptual, of every surface, instead of its own.
+    Surfaces(const scene::Scene& scene, view::Model model, view::TexelTransfer transfer,
+             std::optional<float> roughness = std::nullopt);
 
     /// The point that a ray of unit direction has met.
     Surface at(const trace::Hit& hit, const glm::dvec3& direction) const;
@@ -36,12 +39,14 @@ private:
     glm::dvec4 read(const scene::TextureUse& use, view::TexelTransfer transfer, const Corners& c) const;
     glm::dvec4 base_color(const Placed& placed, const Corners& c) const;
     glm::dvec3 shading_normal(const Placed& placed, const Corners& c) const;
+    double roughness_of(const scene::Material& material, double texel) const;
     void fill_material(const Placed& placed, const Corners& c, Surface& surface) const;
     void fill_phong(const scene::Material& material, double roughness, Surface& surface) const;
 
     const scene::Scene& scene_;
     view::Model model_;
     view::TexelTransfer transfer_;
+    std::optional<float> roughness_;
     std::vector<Placed> placed_;
 };
 

@@ -51,7 +51,8 @@ private:
     const Settings& settings_;
     Lens lens_;
     Film film_;
-    std::vector<int> wanted_; ///< samples per pixel of each tile, of the round that is under way; empty: none is
+    std::vector<int>
+        wanted_; ///< samples per pixel of each tile, of the round that is under way; empty: none is
     Clock::time_point start_ = Clock::now();
     double noise_ = 0.0;         ///< as of the last round
     double samples_ = 0.0;       ///< likewise
@@ -180,8 +181,8 @@ bool Tracer::advance(const GoOn& go_on)
 // What outlives the constructor: the tracer refers to all of it.
 struct Tracing::Parts {
     Parts(const scene::Scene& scene, const image::RadianceImage* panorama, const Settings& asked)
-        : settings(asked), visibility(scene), surfaces(scene, asked.model, asked.texel_transfer),
-          emitters(scene)
+        : settings(asked), visibility(scene),
+          surfaces(scene, asked.model, asked.texel_transfer, asked.roughness_override), emitters(scene)
     {
         if (panorama)
             environment.emplace(*panorama, settings.environment_rotation);

@@ -1,6 +1,7 @@
 #include "scene/gltf.h"
 
 #include "base/file.h"
+#include "scene/gltf_animation.h"
 #include "scene/gltf_bytes.h"
 #include "scene/gltf_document.h"
 #include "scene/gltf_image.h"
@@ -8,30 +9,140 @@
 #include "scene/gltf_mesh.h"
 #include "scene/gltf_nodes.h"
 
+#include <tbb/task_arena.h>
+
+#include <mutex>
+#include <utility>
+
 namespace lambent::scene {
+namespace {
+
+// A scene whose images are still to be decoded, and which of the file's they are.
+struct Stage {
+    Scene scene;
+    std::vector<int> images;
+};
+
+std::vector<AnimationInfo> infos_of(const std::vector<Animation>& animations)
+{
+    std::vector<AnimationInfo> infos;
+    infos.reserve(animations.size());
+    for (const Animation& animation : animations)
+        infos.push_back(animation.info);
+    return infos;
+}
+
+} // namespace
+
+struct GltfFile::Opened {
+    Opened(std::vector<std::uint8_t> own, const GltfSource& source, Warnings& warnings)
+        : bytes(std::move(own)),
+          document(open_document(bytes.empty() ? source : with_bytes(source), warnings)),
+          animations(read_animations(document, warnings)), infos(infos_of(animations))
+    {
+    }
+
+    Stage stage(const std::optional<Moment>& moment, const ShapeStore& shapes, Warnings& warnings) const;
+    void find_rest() const;
+
+    std::vector<std::uint8_t> bytes; ///< of the file, unless the caller has them
+    Document document;
+    std::vector<Animation> animations;
+    std::vector<AnimationInfo> infos;
+
+    // What poses have in common, found by the first one.
+    mutable std::once_flag rest_found;
+    mutable StillShapes still;
+    mutable Bounds rest_bounds;
+
+private:
+    GltfSource with_bytes(GltfSource source) const
+    {
+        source.bytes = bytes;
+        return source;
+    }
+};
+
+Stage GltfFile::Opened::stage(const std::optional<Moment>& moment, const ShapeStore& shapes,
+                              Warnings& warnings) const
+{
+    const NodeTree nodes = build_node_tree(document, pose_of(document, animations, moment), warnings);
+    DrawnMeshes drawn = read_meshes(document, nodes, shapes, warnings);
+    Stage stage;
+    stage.scene.meshes = std::move(drawn.meshes);
+    stage.scene.instances = std::move(drawn.instances);
+    stage.scene.materials = std::move(drawn.materials.materials);
+    stage.images = std::move(drawn.materials.images);
+    stage.scene.cameras = read_cameras(document, nodes, warnings);
+    stage.scene.lights = read_lights(document, nodes, warnings);
+    stage.scene.animations = infos;
+    return stage;
+}
+
+void GltfFile::Opened::find_rest() const
+{
+    // Isolated: a task of another pose, run while this one waits, would wait for itself.
+    tbb::this_task_arena::isolate([&] {
+        std::call_once(rest_found, [&] {
+            Warnings unread;
+            rest_bounds = bounds(stage(std::nullopt, {nullptr, &still}, unread).scene);
+        });
+    });
+}
+
+GltfFile::GltfFile(const std::filesystem::path& path, Warnings& warnings)
+    : opened_(std::make_unique<const Opened>(read_file(path),
+                                             GltfSource{path.string(), {}, path.parent_path()}, warnings))
+{
+}
+
+GltfFile::GltfFile(const GltfSource& source, Warnings& warnings)
+    : opened_(std::make_unique<const Opened>(std::vector<std::uint8_t>(), source, warnings))
+{
+}
+
+GltfFile::~GltfFile() = default;
+GltfFile::GltfFile(GltfFile&&) noexcept = default;
+GltfFile& GltfFile::operator=(GltfFile&&) noexcept = default;
+
+const std::vector<AnimationInfo>& GltfFile::animations() const
+{
+    return opened_->infos;
+}
+
+Scene GltfFile::scene(const std::optional<Moment>& moment, Warnings& warnings) const
+{
+    ShapeStore shapes;
+    if (moment) {
+        opened_->find_rest();
+        shapes.known = &opened_->still;
+    }
+    Stage stage = opened_->stage(moment, shapes, warnings);
+    if (moment)
+        stage.scene.rest_bounds = opened_->rest_bounds;
+    stage.scene.images = read_images(opened_->document, stage.images);
+    if (stage.scene.instances.empty())
+        warnings.push_back(text(opened_->document.file, ": nothing to draw"));
+    return std::move(stage.scene);
+}
+
+Scene GltfFile::pose(const Moment& moment) const
+{
+    opened_->find_rest();
+    Warnings unread;
+    Stage stage = opened_->stage(moment, {&opened_->still, nullptr}, unread);
+    stage.scene.rest_bounds = opened_->rest_bounds;
+    return std::move(stage.scene);
+}
 
 Scene load_gltf_bytes(const GltfSource& source, Warnings& warnings)
 {
-    const Document document = open_document(source, warnings);
-    const NodeTree nodes = build_node_tree(document, warnings);
-    DrawnMeshes drawn = read_meshes(document, nodes, warnings);
-
-    Scene scene;
-    scene.meshes = std::move(drawn.meshes);
-    scene.instances = std::move(drawn.instances);
-    scene.materials = std::move(drawn.materials.materials);
-    scene.images = read_images(document, drawn.materials.images);
-    scene.cameras = read_cameras(document, nodes, warnings);
-    scene.lights = read_lights(document, nodes, warnings);
-    if (scene.instances.empty())
-        warnings.push_back(text(document.file, ": nothing to draw"));
-    return scene;
+    return GltfFile(source, warnings).scene(std::nullopt, warnings);
 }
 
 Scene load_gltf(const std::filesystem::path& path, Warnings& warnings)
 {
-    const std::vector<std::uint8_t> bytes = read_file(path);
-    return load_gltf_bytes({path.string(), bytes, path.parent_path()}, warnings);
+    return GltfFile(path, warnings).scene(std::nullopt, warnings);
 }
 
 } // namespace lambent::scene

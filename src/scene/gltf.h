@@ -5,7 +5,10 @@
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace lambent::scene {
 
@@ -13,8 +16,8 @@ namespace lambent::scene {
 /// all root nodes. Supports KHR_lights_punctual, KHR_texture_transform, KHR_materials_emissive_strength,
 /// KHR_materials_unlit and KHR_mesh_quantization.
 ///
-/// The picture is still: morph targets are applied at their default weights, skins in the rest pose,
-/// animations ignored. Missing normals become flat, tangents are made where a normal texture needs them.
+/// The scene is as it stands: morph targets are applied at their default weights, skins as their joints are, and no
+/// animation plays. Missing normals become flat, tangents are made where a normal texture needs them.
 /// Meshes, materials and images that the scene does not show are left out.
 ///
 /// Buffers and images may be inside the file or beside it. A uri is percent-decoded and must lead to the
@@ -25,5 +28,44 @@ namespace lambent::scene {
 /// the element (like "accessor 3") and the reason; safe for untrusted files, which may not ask for much
 /// more memory than they have bytes.
 Scene load_gltf(const std::filesystem::path& path, Warnings& warnings);
+
+/// A moment of one of a file's animations.
+struct Moment {
+    int animation = 0;    ///< index into Scene::animations
+    double seconds = 0.0; ///< clamped to the animation's duration
+};
+
+struct GltfSource;
+
+/// A file that can be looked at again and again, at every moment of its animations. What it throws is as load_gltf
+/// says, and so is what it reads. Its const functions may be called by several threads at once.
+class GltfFile {
+public:
+    /// Reads the file and its animations, whose curves are checked; images and shapes are looked at later.
+    GltfFile(const std::filesystem::path& path, Warnings& warnings);
+    /// The same of bytes in memory (scene/gltf_bytes.h), which must outlive it.
+    GltfFile(const GltfSource& source, Warnings& warnings);
+    ~GltfFile();
+    GltfFile(GltfFile&&) noexcept;
+    GltfFile& operator=(GltfFile&&) noexcept;
+
+    const std::vector<AnimationInfo>& animations() const;
+
+    /// The scene at a moment, or as load_gltf reads it. Nodes, joints, morph targets, and with them cameras and lights,
+    /// go where the animation has them; rest_bounds says where the scene is without. In a file with animations the last
+    /// mesh is empty: instances show it while they are flattened.
+    /// Throws Error(usage) for an animation that is not there, else Error(bad_input).
+    Scene scene(const std::optional<Moment>& moment, Warnings& warnings) const;
+
+    /// The same without images, for a renderer that has them, and without warnings. Instances, meshes, materials and
+    /// indices are in number and order those of scene() at any moment; vertices, triangles, cameras and lights may not
+    /// be. What no animation changes is read once, by the first call. Throws as scene(), too where something is too
+    /// far away at this moment.
+    Scene pose(const Moment& moment) const;
+
+private:
+    struct Opened;
+    std::unique_ptr<const Opened> opened_;
+};
 
 } // namespace lambent::scene

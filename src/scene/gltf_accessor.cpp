@@ -309,10 +309,21 @@ std::vector<glm::vec4> read_color(const Document& document, const AccessorUse& u
 
 std::vector<glm::mat4> read_mat4(const Document& document, const AccessorUse& use)
 {
-    constexpr int allowed[] = {TINYGLTF_COMPONENT_TYPE_FLOAT};
     const Layout layout = check_type(document, use, TINYGLTF_TYPE_MAT4, "MAT4");
-    check_integers(document, use, allowed);
+    check_floats(document, use);
     return read_elements<float, glm::mat4>(document, use, layout);
+}
+
+std::vector<float> read_scalars(const Document& document, const AccessorUse& use)
+{
+    return read_elements<float, float>(document, use,
+                                       check_type(document, use, TINYGLTF_TYPE_SCALAR, "SCALAR"));
+}
+
+void check_floats(const Document& document, const AccessorUse& use)
+{
+    constexpr int allowed[] = {TINYGLTF_COMPONENT_TYPE_FLOAT};
+    check_integers(document, use, allowed);
 }
 
 std::vector<std::uint32_t> read_indices(const Document& document, const AccessorUse& use)

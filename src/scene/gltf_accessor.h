@@ -44,6 +44,11 @@ std::vector<glm::vec4> read_color(const Document& document, const AccessorUse& u
 /// Column-major MAT4 of floats.
 std::vector<glm::mat4> read_mat4(const Document& document, const AccessorUse& use);
 
+/// SCALAR. As above.
+std::vector<float> read_scalars(const Document& document, const AccessorUse& use);
+/// Throws where the accessor's numbers are not floats.
+void check_floats(const Document& document, const AccessorUse& use);
+
 /// SCALAR of unsigned 8, 16 or 32 bit integers. As above.
 std::vector<std::uint32_t> read_indices(const Document& document, const AccessorUse& use);
 /// VEC4 of unsigned 8 or 16 bit integers. As above.

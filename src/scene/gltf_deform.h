@@ -1,4 +1,4 @@
-// Morph targets and skins, applied once: the picture does not move.
+// Morph targets and skins, applied as the nodes stand.
 #pragma once
 
 #include "scene/gltf_document.h"
@@ -26,7 +26,7 @@ struct PrimitivePart {
 std::size_t apply_morph_targets(const Document& document, const PrimitivePart& part,
                                 std::span<const double> weights, Mesh& mesh);
 
-/// For each joint of a skin: world from mesh, in the rest pose. Throws Error(bad_input) for joints or inverse
+/// For each joint of a skin: world from mesh, as the nodes stand. Throws Error(bad_input) for joints or inverse
 /// bind matrices that do not exist.
 std::vector<glm::mat4> skin_matrices(const Document& document, const NodeTree& nodes, int skin);
 

@@ -97,6 +97,26 @@ std::vector<ImageSource> take_images(json& document, const std::string& file)
     return images;
 }
 
+// tinygltf refuses a channel without a node, and spends a kilobyte on each.
+std::vector<AnimationSource> take_animations(json& document)
+{
+    std::vector<AnimationSource> animations;
+    for (json& animation : take(document, "animations")) {
+        AnimationSource source;
+        source.name = animation.value("name", "");
+        for (const json& channel : take(animation, "channels")) {
+            const json& target = channel.at("target");
+            source.channels.push_back({channel.at("sampler").get<int>(), target.value("node", -1),
+                                       target.at("path").get<std::string>()});
+        }
+        for (const json& sampler : take(animation, "samplers"))
+            source.samplers.push_back({sampler.at("input").get<int>(), sampler.at("output").get<int>(),
+                                       sampler.value("interpolation", "LINEAR")});
+        animations.push_back(std::move(source));
+    }
+    return animations;
+}
+
 // One buffer's bytes: of a data URI, of a file, or of the BIN chunk (the first buffer, without uri).
 BufferBytes open_buffer(const json& buffer, std::span<const std::uint8_t> binary, Document& document)
 {
@@ -170,6 +190,7 @@ Document open_document(const GltfSource& source, Warnings& warnings)
     document.file = source.file;
     document.folder = source.folder;
     document.images = take_images(parsed, source.file);
+    document.animations = take_animations(parsed);
     const json buffers = take(parsed, "buffers");
     fill_in_for_tinygltf(parsed);
     document.model = parse_model(parsed.dump(), source.file);

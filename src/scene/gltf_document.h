@@ -26,12 +26,29 @@ struct ImageSource {
     int buffer_view = -1;
 };
 
+/// An animation as the file lists it. Everything is checked when it is read.
+struct AnimationSource {
+    struct Channel {
+        int sampler = 0;
+        int node = -1; ///< -1: none, an extension says what moves
+        std::string path;
+    };
+    struct Sampler {
+        int input = 0, output = 0; ///< accessors
+        std::string interpolation = "LINEAR";
+    };
+    std::string name;
+    std::vector<Channel> channels;
+    std::vector<Sampler> samplers;
+};
+
 struct Document {
     std::string file;
     std::optional<std::filesystem::path> folder;
-    tinygltf::Model model; ///< without buffers and images; every property checked by check_schema
+    tinygltf::Model model; ///< without buffers, images and animations; every property checked by check_schema
     std::vector<BufferBytes> buffers;
     std::vector<ImageSource> images;
+    std::vector<AnimationSource> animations;
     std::vector<std::vector<std::uint8_t>> storage; ///< what `buffers` point into, unless it is the source
 
     Document() = default;

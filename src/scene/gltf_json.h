@@ -10,7 +10,7 @@
 
 namespace lambent::scene {
 
-/// Parses the JSON of a glTF and keeps what the loader uses, nothing else (no extras, animations, unknown
+/// Parses the JSON of a glTF and keeps what the loader uses, nothing else (no extras, no unknown
 /// extensions). Brackets may nest 64 deep, and the text may hold 4 million values: both are counted before
 /// anything is built, and the lists of the top level while they are, so that hostile text costs neither stack
 /// nor memory.

@@ -27,6 +27,7 @@ std::size_t at(int index)
 struct Plan {
     std::vector<PrimitiveRequest> requests;
     std::vector<int> materials; // of each request, as the file numbers them
+    std::vector<bool> still;    // of each request, whether its shape is the same at every moment
     struct Use {
         int node;
         std::size_t request;
@@ -60,13 +61,15 @@ private:
         const tinygltf::Node& source = document_.model.nodes[at(node)];
         if (at(source.mesh) >= document_.model.meshes.size())
             document_.fail("node ", node, ": mesh ", source.mesh, " does not exist");
+        const auto pose = nodes_.pose.find(node);
+        const NodePose* morphing = pose != nodes_.pose.end() && pose->second.morphs ? &pose->second : nullptr;
         // Deformed by the node: no other node sees the same shape.
-        const bool alone = source.skin >= 0 || !source.weights.empty();
+        const bool alone = source.skin >= 0 || !source.weights.empty() || morphing != nullptr;
         Range range;
         if (const auto shared = shared_.find(source.mesh); !alone && shared != shared_.end()) {
             range = shared->second;
         } else {
-            range = add_requests(source);
+            range = add_requests(source, morphing);
             if (!alone)
                 shared_[source.mesh] = range;
         }
@@ -76,12 +79,12 @@ private:
             plan_.uses.push_back({node, request});
     }
 
-    Range add_requests(const tinygltf::Node& node)
+    Range add_requests(const tinygltf::Node& node, const NodePose* morphing)
     {
         const tinygltf::Mesh& mesh = document_.model.meshes[at(node.mesh)];
         PrimitiveRequest request;
         request.mesh = node.mesh;
-        request.weights = node.weights.empty() ? mesh.weights : node.weights;
+        request.weights = morphing ? morphing->weights : node.weights.empty() ? mesh.weights : node.weights;
         if (node.skin >= 0)
             request.skin = skin(node.skin);
         const std::size_t begin = plan_.requests.size();
@@ -93,6 +96,7 @@ private:
             }
             plan_.requests.push_back(request);
             plan_.materials.push_back(mesh.primitives[i].material);
+            plan_.still.push_back(node.skin < 0 && morphing == nullptr);
         }
         return {begin, plan_.requests.size()};
     }
@@ -111,13 +115,20 @@ private:
     std::map<int, Range> shared_; // by mesh
 };
 
+bool is_known(const ShapeStore& shapes, std::size_t request)
+{
+    return shapes.known != nullptr && (*shapes.known)[request].has_value();
+}
+
 // Before anything large is allocated.
-void check_work(const Document& document, const Plan& plan)
+void check_work(const Document& document, const Plan& plan, const ShapeStore& shapes)
 {
     const std::uint64_t most = free_elements + elements_per_byte * document.buffer_bytes();
     std::uint64_t elements = 0;
-    for (const PrimitiveRequest& request : plan.requests) {
-        elements += check_request(document, request);
+    for (std::size_t i = 0; i < plan.requests.size(); ++i) {
+        if (is_known(shapes, i))
+            continue;
+        elements += check_request(document, plan.requests[i]);
         if (elements > most)
             document.fail("its meshes read more than ", most, " elements out of ", document.buffer_bytes(),
                           " bytes");
@@ -155,20 +166,50 @@ void check_reach(const Document& document, const glm::dmat4& transform, float re
     }
 }
 
+void read_results(const Document& document, const ShapeStore& shapes, Plan& plan)
+{
+    plan.results.resize(plan.requests.size());
+    parallel_for_each_index(plan.results.size(), [&](std::size_t i) {
+        plan.results[i] =
+            is_known(shapes, i) ? *(*shapes.known)[i] : read_primitive(document, plan.requests[i]);
+    });
+    if (shapes.keep == nullptr)
+        return;
+    shapes.keep->assign(plan.results.size(), std::nullopt);
+    for (std::size_t i = 0; i < plan.results.size(); ++i)
+        if (plan.still[i])
+            (*shapes.keep)[i] = plan.results[i];
+}
+
+// The instances that are out of sight show a mesh without triangles. Their material stays: whether anything is
+// transparent should not depend on the moment.
+void hide(const std::vector<std::size_t>& hidden, DrawnMeshes& drawn)
+{
+    const auto nothing = static_cast<int>(drawn.meshes.size());
+    for (const std::size_t index : hidden) {
+        Instance& instance = drawn.instances[index];
+        instance = {nothing, drawn.meshes[at(instance.mesh)].material, glm::mat4(1.0f)};
+    }
+    drawn.meshes.emplace_back();
+}
+
 // Instances of the results that have triangles; those results become meshes, in order.
 void assemble(const Document& document, const NodeTree& nodes, Plan& plan, DrawnMeshes& drawn,
               Warnings& warnings)
 {
     std::vector<int> mesh_of(plan.results.size(), -1);
+    const bool moves = !nodes.pose.empty();
     std::size_t singular = 0;
+    std::vector<std::size_t> hidden;
     for (const Plan::Use& use : plan.uses) {
         PrimitiveResult& result = plan.results[use.request];
         const glm::dmat4 transform = result.in_world ? glm::dmat4(1.0) : nodes.world[at(use.node)];
-        if (!is_invertible(transform)) {
-            ++singular;
+        const bool flat = !is_invertible(transform);
+        singular += flat ? 1 : 0;
+        if (flat && !moves)
             continue;
-        }
-        check_reach(document, transform, result.reach, use.node);
+        if (!flat)
+            check_reach(document, transform, result.reach, use.node);
         if (mesh_of[use.request] < 0) {
             if (result.mesh.triangles.empty())
                 continue;
@@ -176,8 +217,12 @@ void assemble(const Document& document, const NodeTree& nodes, Plan& plan, Drawn
             result.mesh.material = drawn.materials.index_of(plan.materials[use.request]);
             drawn.meshes.push_back(std::move(result.mesh));
         }
+        if (flat)
+            hidden.push_back(drawn.instances.size());
         drawn.instances.push_back({mesh_of[use.request], -1, glm::mat4(transform)});
     }
+    if (moves)
+        hide(hidden, drawn);
     if (singular != 0)
         warnings.push_back(
             text(document.file, ": ", singular, " instances flattened by a singular transform: left out"));
@@ -185,20 +230,18 @@ void assemble(const Document& document, const NodeTree& nodes, Plan& plan, Drawn
 
 } // namespace
 
-DrawnMeshes read_meshes(const Document& document, const NodeTree& nodes, Warnings& warnings)
+DrawnMeshes read_meshes(const Document& document, const NodeTree& nodes, const ShapeStore& shapes,
+                        Warnings& warnings)
 {
     Plan plan = Planner(document, nodes).make();
-    check_work(document, plan);
+    check_work(document, plan, shapes);
     DrawnMeshes drawn;
     drawn.materials = read_materials(document, plan.materials, warnings);
     for (std::size_t i = 0; i < plan.requests.size(); ++i)
         plan.requests[i].needs =
             texture_needs(drawn.materials.materials[at(drawn.materials.index_of(plan.materials[i]))]);
 
-    plan.results.resize(plan.requests.size());
-    parallel_for_each_index(plan.results.size(), [&](std::size_t i) {
-        plan.results[i] = read_primitive(document, plan.requests[i]);
-    });
+    read_results(document, shapes, plan);
     PrimitiveNotes notes;
     for (const PrimitiveResult& result : plan.results)
         notes += result.notes;

@@ -5,6 +5,9 @@
 #include "scene/gltf_material.h"
 #include "scene/gltf_nodes.h"
 
+#include "scene/gltf_primitive.h"
+
+#include <optional>
 #include <vector>
 
 namespace lambent::scene {
@@ -15,10 +18,21 @@ struct DrawnMeshes {
     MaterialTable materials;
 };
 
+/// What read_meshes made of each primitive whose shape no animation changes; none: it may change.
+using StillShapes = std::vector<std::optional<PrimitiveResult>>;
+
+/// Shapes that go from pose to pose of one file.
+struct ShapeStore {
+    const StillShapes* known = nullptr; ///< what another pose kept, if any: not read again
+    StillShapes* keep = nullptr;        ///< where this one shall keep them, if anywhere
+};
+
 /// Reads every primitive under the drawn nodes once for all nodes that share it; skinned ones, and those
-/// whose node has morph weights of its own, once for each node. In parallel. Nodes with a singular
-/// transform are left out with a warning. Throws Error(bad_input), also where sharing would blow a small
-/// file up into unreasonably much geometry.
-DrawnMeshes read_meshes(const Document& document, const NodeTree& nodes, Warnings& warnings);
+/// whose node has morph weights of its own or animated ones, once for each node. In parallel. Nodes with a
+/// singular transform are left out with a warning; where the file has animations they show an empty mesh, the last
+/// one, instead: its meshes, instances and materials are the same ones at every moment. Throws Error(bad_input), also
+/// where sharing would blow a small file up into unreasonably much geometry.
+DrawnMeshes read_meshes(const Document& document, const NodeTree& nodes, const ShapeStore& shapes,
+                        Warnings& warnings);
 
 } // namespace lambent::scene

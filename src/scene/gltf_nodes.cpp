@@ -56,7 +56,7 @@ struct LocalTransform {
     bool rotation_was_unit = true;
 };
 
-LocalTransform local_transform(const Document& document, std::size_t index)
+LocalTransform local_transform(const Document& document, std::size_t index, const NodePose& pose)
 {
     const tinygltf::Node& node = document.model.nodes[index];
     LocalTransform local;
@@ -64,9 +64,13 @@ LocalTransform local_transform(const Document& document, std::size_t index)
         local.matrix = matrix_transform(document, index);
         return local;
     }
-    if (!node.translation.empty())
+    if (pose.translation)
+        local.matrix[3] = glm::dvec4(*pose.translation, 1.0);
+    else if (!node.translation.empty())
         local.matrix[3] = {node.translation[0], node.translation[1], node.translation[2], 1.0};
-    if (!node.rotation.empty()) {
+    if (pose.rotation) {
+        local.matrix *= glm::mat4_cast(*pose.rotation);
+    } else if (!node.rotation.empty()) {
         const glm::dquat quaternion(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
         const double length = glm::length(quaternion);
         if (!(length > 1e-30 && std::isfinite(length)))
@@ -74,7 +78,9 @@ LocalTransform local_transform(const Document& document, std::size_t index)
         local.rotation_was_unit = std::abs(length - 1.0) < 1e-2;
         local.matrix *= glm::mat4_cast(quaternion / length);
     }
-    if (!node.scale.empty())
+    if (pose.scale)
+        local.matrix = glm::scale(local.matrix, *pose.scale);
+    else if (!node.scale.empty())
         local.matrix = glm::scale(local.matrix, glm::dvec3(node.scale[0], node.scale[1], node.scale[2]));
     return local;
 }
@@ -155,7 +161,7 @@ void check_cycles(const Document& document, const std::vector<int>& order, const
 
 } // namespace
 
-NodeTree build_node_tree(const Document& document, Warnings& warnings)
+NodeTree build_node_tree(const Document& document, Pose pose, Warnings& warnings)
 {
     const std::vector<int> parents = find_parents(document);
     const std::vector<int> order = preorder(document, all_roots(parents));
@@ -163,9 +169,12 @@ NodeTree build_node_tree(const Document& document, Warnings& warnings)
 
     NodeTree tree;
     tree.world.resize(parents.size());
+    const NodePose at_rest;
     std::size_t odd_rotations = 0;
     for (const int node : order) {
-        const LocalTransform local = local_transform(document, at(node));
+        const auto posed = pose.find(node);
+        const LocalTransform local =
+            local_transform(document, at(node), posed == pose.end() ? at_rest : posed->second);
         odd_rotations += local.rotation_was_unit ? 0 : 1;
         const int parent = parents[at(node)];
         tree.world[at(node)] = parent == no_parent ? local.matrix : tree.world[at(parent)] * local.matrix;
@@ -176,6 +185,7 @@ NodeTree build_node_tree(const Document& document, Warnings& warnings)
         warnings.push_back(
             text(document.file, ": ", odd_rotations, " node rotations were not of unit length: normalised"));
     tree.drawn = preorder(document, scene_roots(document, parents));
+    tree.pose = std::move(pose);
     return tree;
 }
 

@@ -4,14 +4,31 @@
 #include "scene/gltf_document.h"
 
 #include <glm/ext/matrix_double4x4.hpp>
+#include <glm/ext/quaternion_double.hpp>
+#include <glm/ext/vector_double3.hpp>
 
+#include <map>
+#include <optional>
 #include <vector>
 
 namespace lambent::scene {
 
+/// What a node has at a moment in place of what the file says; what is unset stays as it is there.
+struct NodePose {
+    std::optional<glm::dvec3> translation;
+    std::optional<glm::dquat> rotation; ///< unit length
+    std::optional<glm::dvec3> scale;
+    bool morphs = false;         ///< whether its morph targets' weights change from moment to moment
+    std::vector<double> weights; ///< where it does: those weights
+};
+
+/// Of the nodes that may move, by number. Empty: nothing in the file ever moves.
+using Pose = std::map<int, NodePose>;
+
 struct NodeTree {
     std::vector<glm::dmat4> world; ///< of every node of the file: world from node; finite, affine
     std::vector<int> drawn;        ///< nodes of the scene, parents before children, in the order of the file
+    Pose pose;                     ///< what the transforms were made with
 };
 
 /// Works out world transforms without recursion. The drawn scene is the default one, else the first, else
@@ -19,6 +36,6 @@ struct NodeTree {
 /// Throws Error(bad_input) for indices that do not exist, a node with two parents or in a cycle, a scene that
 /// lists a node that is not a root, a matrix that is not affine, a rotation of length zero.
 /// Rotations that are not of unit length are normalised, with one warning.
-NodeTree build_node_tree(const Document& document, Warnings& warnings);
+NodeTree build_node_tree(const Document& document, Pose pose, Warnings& warnings);
 
 } // namespace lambent::scene

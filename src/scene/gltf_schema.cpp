@@ -179,6 +179,19 @@ constexpr Property skin_properties[] = {one("inverseBindMatrices", Kind::index),
                                         one("joints", Kind::indices, required)};
 constexpr Shape skin{skin_properties};
 
+constexpr Property target_properties[] = {one("node", Kind::index), one("path", Kind::word, required)};
+constexpr Shape target{target_properties};
+constexpr Property channel_properties[] = {one("sampler", Kind::index, required),
+                                           nested("target", target, required)};
+constexpr Shape channel{channel_properties};
+constexpr Property key_properties[] = {one("input", Kind::index, required), one("interpolation", Kind::word),
+                                       one("output", Kind::index, required)};
+constexpr Shape keys{key_properties};
+constexpr Property animation_properties[] = {one("name", Kind::word),
+                                             list("channels", channel, "channel", 1'000'000),
+                                             list("samplers", keys, "sampler", 1'000'000)};
+constexpr Shape animation{animation_properties};
+
 constexpr Property perspective_properties[] = {one("aspectRatio", Kind::number),
                                                one("yfov", Kind::number, required), one("zfar", Kind::number),
                                                one("znear", Kind::number, required)};
@@ -218,6 +231,7 @@ constexpr Property root_properties[] = {nested("asset", asset, required),
                                         list("materials", material, "material", 20'000),
                                         list("skins", skin, "skin", 20'000),
                                         list("cameras", camera, "camera", 20'000),
+                                        list("animations", animation, "animation", 20'000),
                                         nested("extensions", extensions),
                                         one("extensionsUsed", Kind::words),
                                         one("extensionsRequired", Kind::words)};

@@ -58,6 +58,12 @@ Bounds bounds(const Scene& scene)
     return box;
 }
 
+Bounds framed_bounds(const Scene& scene)
+{
+    const bool rests = scene.rest_bounds && scene.rest_bounds->low.x <= scene.rest_bounds->high.x;
+    return rests ? *scene.rest_bounds : bounds(scene);
+}
+
 bool is_invertible(const glm::dmat4& transform)
 {
     const glm::dmat3 linear(transform);

@@ -111,6 +111,12 @@ struct Bounds {
     glm::vec3 high{-std::numeric_limits<float>::infinity()};
 };
 
+/// An animation of the scene's file.
+struct AnimationInfo {
+    std::string name;     ///< its own, else animation0, animation1, ... by its place in the file
+    double seconds = 0.0; ///< duration: the time of its last key; finite, not negative
+};
+
 struct Scene {
     std::vector<Mesh> meshes;
     std::vector<Instance> instances;
@@ -118,6 +124,8 @@ struct Scene {
     std::vector<image::CodeImage> images; ///< RGBA codes
     std::vector<Camera> cameras;
     std::vector<Light> lights;
+    std::vector<AnimationInfo> animations;
+    std::optional<Bounds> rest_bounds; ///< of a scene at a moment of an animation: its bounds without
 };
 
 /// Number of triangles drawn: instances counted each time.
@@ -125,5 +133,9 @@ std::size_t triangle_count(const Scene& scene);
 
 /// Smallest box around every instance in the world; low > high for an empty scene.
 Bounds bounds(const Scene& scene);
+
+/// The box that a camera frames: rest_bounds, if something is in it, so that pictures of one animation are seen from one
+/// place; else the scene's own.
+Bounds framed_bounds(const Scene& scene);
 
 } // namespace lambent::scene

@@ -187,6 +187,46 @@ LobeLight lamps_ggx(Environment environment, Mirror m, LobeSampling s, Real pixe
     return sum;
 }
 
+// What a pixel adds to a lobe's samples: by how much of a pixel they are moved, the variance that all are blurred by, in
+// square radians, and how far the pixel is wider than the lobe, 0 to 1.
+struct PixelBlur {
+    Real moved;
+    Real variance;
+    Real share;
+};
+
+// Where the lobe is the wider in all directions, moving samples about in the pixel only tears gaps into their spiral:
+// they stay in the middle, and the blur takes the pixel's variance, a twelfth of its area. per_sample is 1 / N.
+// Witness: specular_ggx's.
+PixelBlur pixel_blur(Mirror m, LobeSampling lobe, Real per_sample)
+{
+    vec3 area = cross(m.mirrored_dx, m.mirrored_dy);
+    Real footprint = sqrt(dot(area, area));
+    Real pixel_variance = variance_of_spread(footprint) * per_sample;
+    Real longest = dot(m.mirrored_dx, m.mirrored_dx) + dot(m.mirrored_dy, m.mirrored_dy);
+    Real widest = variance_of_spread(longest) * per_sample;
+    Real moved = widest / max(widest + lobe.variance, 1.0e-30);
+    PixelBlur blur = {moved, pixel_variance + (1.0 - moved * moved) * footprint * 0.08333333333333333,
+                      pixel_variance / max(pixel_variance + lobe.variance, 1.0e-30)};
+    return blur;
+}
+
+// The level at which a sample is read: the blur of lobe and pixel. per_level is 1 / v1. Witness: specular_ggx's.
+Real matched_level_ggx(Real variance, PixelBlur pixel, Real per_level)
+{
+    return level_of_variance((variance + pixel.variance) * per_level);
+}
+
+// The level at which a sample in the lobe's middle is read, for looking at: there the facet faces along the normal, and its
+// spread is 1. Witness: levels by the density of visible normals there (tests/draw).
+Real middle_level_ggx(Environment environment, Mirror m)
+{
+    mat3 frame = carried_frame(m.normal, m.view, m.across);
+    Real per_sample = 1.0 / Real(sample_count(environment));
+    LobeSampling lobe = lobe_sampling(in_frame(frame, m.view), m.alpha, per_sample);
+    return matched_level_ggx(lobe.variance, pixel_blur(m, lobe, per_sample), 1.0 / level_one_variance(environment));
+}
+
 // Directions are drawn from visible normals, each moved to its own place in the pixel, and read through a blur as
 // wide as the share of lobe and pixel that it stands for. The means are weighted and divided by the sum of the
 // weights: a constant environment gives exactly itself for every N, and the energy is in the albedo table.
@@ -197,16 +237,7 @@ LobeLight specular_ggx(Environment environment, Mirror m)
     mat3 frame = carried_frame(m.normal, m.view, m.across);
     Real per_sample = 1.0 / Real(sample_count(environment));
     LobeSampling lobe = lobe_sampling(in_frame(frame, m.view), m.alpha, per_sample);
-    vec3 area = cross(m.mirrored_dx, m.mirrored_dy);
-    Real footprint = sqrt(dot(area, area));
-    Real pixel_variance = variance_of_spread(footprint) * per_sample;
-    // Where the lobe is the wider in all directions, moving samples about in the pixel only tears gaps into their
-    // spiral: they stay in the middle, and the blur takes the pixel's variance, a twelfth of its area.
-    Real pixel_share = pixel_variance / max(pixel_variance + lobe.variance, 1.0e-30);
-    Real longest = dot(m.mirrored_dx, m.mirrored_dx) + dot(m.mirrored_dy, m.mirrored_dy);
-    Real widest = variance_of_spread(longest) * per_sample;
-    Real moved = widest / max(widest + lobe.variance, 1.0e-30);
-    Real shared_variance = pixel_variance + (1.0 - moved * moved) * footprint * 0.08333333333333333;
+    PixelBlur pixel = pixel_blur(m, lobe, per_sample);
     Real per_level = 1.0 / level_one_variance(environment);
     LightSum sum = no_light(environment);
     Real plain_weight = 0.0;
@@ -216,14 +247,14 @@ LobeLight specular_ggx(Environment environment, Mirror m)
         // Schlick's weight is 0 head on; the mean has to stay defined there too.
         Real weight_grazing = s.weight * max(s.grazing, 1.0e-6);
         Real weight_plain = s.weight - weight_grazing;
-        vec2 place = s.size * moved * pixel_point(environment, i);
+        vec2 place = s.size * pixel.moved * pixel_point(environment, i);
         vec3 d = frame * s.direction + place.x * m.mirrored_dx + place.y * m.mirrored_dy;
-        Real level = level_of_variance((s.variance + shared_variance) * per_level);
+        Real level = matched_level_ggx(s.variance, pixel, per_level);
         sum = with_light(environment, sum, d, level, vec2(weight_plain, weight_grazing));
         plain_weight += weight_plain;
         grazing_weight += weight_grazing;
     }
-    LobeLight lamps = lamps_ggx(environment, m, lobe, pixel_share, shared_variance);
+    LobeLight lamps = lamps_ggx(environment, m, lobe, pixel.share, pixel.variance);
     LobeLight light = {lamps.plain + first_light(environment, sum) / max(plain_weight, 1.0e-20),
                        lamps.grazing + second_light(environment, sum) / max(grazing_weight, 1.0e-20)};
     return light;

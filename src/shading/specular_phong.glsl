@@ -39,6 +39,20 @@ vec3 lamps_phong(Environment environment, Phong p, vec3 N, vec3 V, Real per_samp
     return total;
 }
 
+// The level at which a sample is read, from log2 xi2: a blur as wide as the share of the lobe that it stands for.
+// share: 1 / (N v1). Witness: levels by the lobe's density.
+Real matched_level_phong(Real log2_xi2, Real exponent, Real share)
+{
+    Real spread = exp2(-log2_lobe_density_phong(log2_xi2, exponent));
+    return level_of_variance(variance_of_spread(spread) * share);
+}
+
+// The same for the lobe's middle, for looking at. Witness: as before.
+Real middle_level_phong(Environment environment, Real exponent)
+{
+    return matched_level_phong(0.0, exponent, 1.0 / (Real(sample_count(environment)) * level_one_variance(environment)));
+}
+
 // The average of F / (4 (w.H)^2) environment(w) max(N.w, 0) over N samples of the lobe about the mirrored view
 // (DESIGN, "Specular pass"), each read through a blur as wide as the share of the lobe that it stands for. `across` as
 // in Mirror. Witness: quadrature over the lobe in a white environment (tests/draw).
@@ -51,27 +65,44 @@ vec3 specular_phong(Environment environment, Phong p, vec3 N, vec3 V, vec3 acros
     for (int i = 0; i < sample_count(environment); ++i) {
         vec3 point = lobe_point(environment, i);
         PhongSample s = phong_sample(N, V, lobe * sample_phong(point, p.exponent));
-        Real spread = exp2(-log2_lobe_density_phong(point.x, p.exponent));
-        Real level = level_of_variance(variance_of_spread(spread) * (per_sample * per_level));
+        Real level = matched_level_phong(point.x, p.exponent, per_sample * per_level);
         sum = with_light(environment, sum, s.direction, level, s.weights);
     }
     return (p.specular * first_light(environment, sum) + second_light(environment, sum)) * per_sample +
            lamps_phong(environment, p, N, V, per_sample);
 }
 
-// The same with the report's own choice of mip level, 1/2 log2(W H / N) - 1/2 log2(D(H) / 4), clamped, in the
-// panorama's own mip chain. The solid angle of the sphere, 4 pi, is missing from its first term: the level is
-// 1.83 too coarse, and narrow lobes show the texels of that level as blocks. Witness: levels by the report's formula.
+// The report's first term, 1/2 log2(W H / N). Witness: levels by the report's formula.
+Real first_term_of_report(Environment environment)
+{
+    return report_base_level(environment) - 0.5 * log2(Real(sample_count(environment)));
+}
+
+// The report's own choice of mip level, the first term - 1/2 log2(D(H) / 4), not below the sharpest. The solid angle of the
+// sphere, 4 pi, is missing from that term: the level is 1.83 too coarse. Witness: levels by the report's formula.
+Real report_level_phong(Real first_term, Real NH, Real exponent)
+{
+    return max(first_term - 0.5 * (log2_density_phong(NH, exponent) - 2.0), 0.0);
+}
+
+// The same for the lobe's middle, where H is N, for looking at. Witness: as before.
+Real middle_level_report(Environment environment, Real exponent)
+{
+    return report_level_phong(first_term_of_report(environment), 1.0, exponent);
+}
+
+// The pass with the report's own choice of mip level in the panorama's own mip chain: narrow lobes show the texels of that
+// level as blocks. Witness: levels by the report's formula.
 vec3 specular_phong_report(Environment environment, Phong p, vec3 N, vec3 V, vec3 across)
 {
     mat3 lobe = carried_frame(mirrored(N, V), V, across);
-    Real base = report_base_level(environment) - 0.5 * log2(Real(sample_count(environment)));
+    Real first_term = first_term_of_report(environment);
     vec3 total = vec3(0.0);
     for (int i = 0; i < sample_count(environment); ++i) {
         PhongSample s = phong_sample(N, V, lobe * sample_phong(lobe_point(environment, i), p.exponent));
-        Real level = base - 0.5 * (log2_density_phong(s.NH, p.exponent) - 2.0);
+        Real level = report_level_phong(first_term, s.NH, p.exponent);
         vec3 weight = s.weights.x * p.specular + vec3(s.weights.y);
-        total += weight * environment_report_radiance(environment, s.direction, max(level, 0.0));
+        total += weight * environment_report_radiance(environment, s.direction, level);
     }
     return total / Real(sample_count(environment));
 }

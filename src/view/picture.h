@@ -6,6 +6,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace lambent::view {
@@ -30,6 +31,8 @@ struct Picture {
     Camera camera;
     Model model = Model::ggx;
     TexelTransfer texel_transfer = TexelTransfer::srgb;
+    /// Perceptual, 0 to 1, of every surface, whatever its material and texture say. Exponents that materials have are kept.
+    std::optional<float> roughness_override;
     bool energy_compensation = true;   ///< give back what single scattering loses on rough surfaces (ggx)
     float environment_rotation = 0.0f; ///< radians about +Y, counter-clockwise seen from above
     Background background;

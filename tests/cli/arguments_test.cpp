@@ -51,6 +51,20 @@ TEST(Arguments, SplitSumIsFewSamplesWhateverTheirNumber)
     EXPECT_EQ(render({"--samples", "100", "--ibl", "sampled"}).settings.samples, 100);
 }
 
+TEST(Arguments, OneRoughnessIsForGgxAlone)
+{
+    EXPECT_FALSE(render({}).settings.roughness_override);
+    EXPECT_EQ(render({"--roughness", "0.25"}).settings.roughness_override, 0.25f);
+    EXPECT_EQ(render({"--model", "ggx", "--roughness", "0"}).settings.roughness_override, 0.0f);
+    const auto reference =
+        std::get<ReferenceArguments>(parse({"reference", "sphere", "-o", "x.exr", "--roughness", "1"}));
+    EXPECT_EQ(reference.picture.settings.roughness_override, 1.0f);
+    const auto served = std::get<ServeArguments>(parse({"serve", "sphere", "--roughness", "0.5"}));
+    EXPECT_EQ(served.start.picture.settings.roughness_override, 0.5f);
+    EXPECT_EQ(served.start.words, (std::vector<std::pair<std::string, std::string>>{{"roughness", "0.5"}}));
+    EXPECT_NE(render_refusal({"--model", "phong", "--roughness", "0.5"}).find("--alpha"), std::string::npos);
+}
+
 TEST(Arguments, ATargetNeedsADistance)
 {
     const RenderArguments a = render({"--camera", "10,20,3", "--target", "-1,2,-3"});
@@ -59,6 +73,22 @@ TEST(Arguments, ATargetNeedsADistance)
     EXPECT_NE(render_refusal({"--camera", "10,20", "--target", "1,2,3"}), "");
     EXPECT_NE(render_refusal({"--target", "1,2,3"}), "");
     EXPECT_NE(render_refusal({"--camera", "10,20,3", "--target", "1,2"}), "");
+}
+
+TEST(Arguments, AMomentIsOneOfAFiles)
+{
+    const RenderArguments a = std::get<RenderArguments>(
+        parse({"render", "a.glb", "-o", "a.png", "--animation", "walk", "--moment", "1.25"}));
+    EXPECT_EQ(a.animation, "walk");
+    EXPECT_EQ(a.moment, 1.25);
+    EXPECT_FALSE(render({}).moment.has_value());
+    for (const char* moment : {"-1", "nan", "inf", "x", "1s"})
+        EXPECT_EQ(refusal({"render", "a.glb", "-o", "a.png", "--moment", moment}).find("--moment"), 0u)
+            << moment;
+    const auto start =
+        std::get<ServeArguments>(parse({"serve", "a.glb", "--animation", "2", "--moment", "3"}));
+    EXPECT_EQ(start.start.words,
+              (std::vector<std::pair<std::string, std::string>>{{"animation", "2"}, {"moment", "3"}}));
 }
 
 TEST(Arguments, DefaultsAreTheContracts)
@@ -289,10 +319,16 @@ TEST(Arguments, NonsenseIsRefusedInOneLine)
                                                        {"--backend", "cuda"},
                                                        {"--stats", "xml"},
                                                        {"--kd", "1,1,1"},
+                                                       {"--roughness", "1.01"},
+                                                       {"--roughness", "-0.1"},
+                                                       {"--roughness", "nan"},
+                                                       {"--roughness", "0.5", "--model", "phong"},
                                                        {"--unknown"},
                                                        {"--quiet", "--verbose"},
                                                        {"--camera", "1,2", "--camera-node", "x"},
                                                        {"--density", "100"},
+                                                       {"--animation", "walk"},
+                                                       {"--moment", "1"},
                                                        {"extra"},
                                                        {"--alpha", "0", "--model", "phong"},
                                                        {"--alpha", "2e6", "--model", "phong"}};
@@ -305,11 +341,12 @@ TEST(Arguments, HelpNamesEveryOption)
 {
     const std::string help = std::get<PrintText>(parse({"render", "--help"})).text;
     for (const char* option :
-         {"--env",        "--size",     "--camera",   "--fov",     "--camera-node", "--env-rotation",
-          "--background", "--exposure", "--contrast", "--tone",    "--space",       "--model",
-          "--alpha",      "--kd",       "--ks",       "--ibl",     "--samples",     "--ambient-brightness",
-          "--aa",         "--light",    "--backend",  "--threads", "--layers",      "--stats",
-          "--no-cache",   "--quiet",    "--verbose",  "--help"})
+         {"--env",        "--size",     "--camera",   "--fov",   "--camera-node", "--env-rotation",
+          "--background", "--exposure", "--contrast", "--tone",  "--space",       "--model",
+          "--alpha",      "--kd",       "--ks",       "--ibl",   "--samples",     "--ambient-brightness",
+          "--animation",  "--moment",   "--aa",       "--light", "--backend",     "--threads",
+          "--layers",     "--stats",    "--no-cache", "--quiet", "--verbose",     "--help",
+          "--roughness"})
         EXPECT_NE(help.find(option), std::string::npos) << option;
     EXPECT_NE(std::get<PrintText>(parse({"--version"})).text.find("lambent 0."), std::string::npos);
 }

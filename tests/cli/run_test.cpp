@@ -127,8 +127,8 @@ TEST(Run, LayersAreWrittenToLookAtAndToCompute)
                        "--layers", folder.path("layers")})
                   .code,
               0);
-    for (const char* name : {"diffuse", "specular", "exponent", "normal", "depth", "light_direct",
-                             "light_ambient", "light_specular", "light_background"})
+    for (const char* name : {"diffuse", "specular", "exponent", "normal", "depth", "mip_level",
+                             "light_direct", "light_ambient", "light_specular", "light_background"})
         for (const char* extension : {".png", ".exr"})
             EXPECT_TRUE(std::filesystem::exists(folder.path("layers/") + name + extension)) << name;
 }

@@ -11,7 +11,12 @@ namespace {
 
 class Scripted : public Renderer {
 public:
-    Scripted(std::string name, std::function<void()> act) : name_(std::move(name)), act_(std::move(act)) {}
+    using Poses = std::vector<const scene::Scene*>;
+
+    Scripted(std::string name, std::function<void()> act, Poses& poses)
+        : name_(std::move(name)), act_(std::move(act)), poses_(poses)
+    {
+    }
 
     Frame draw(const environment::Environment*, const Settings&, const std::function<void(float)>&) override
     {
@@ -19,29 +24,36 @@ public:
         return {};
     }
 
+    void pose(const scene::Scene& scene) override { poses_.push_back(&scene); }
+
     Device device() const override { return {name_, ""}; }
 
 private:
     std::string name_;
     std::function<void()> act_;
+    Poses& poses_;
 };
 
 struct Stage {
     int device_draws = 0, other_draws = 0, others_made = 0;
     std::vector<std::string> warnings;
+    Scripted::Poses device_poses, other_poses;
     std::function<void()> trouble = [] {};
 
     std::unique_ptr<Renderer> make()
     {
         return make_rescued_renderer(
-            std::make_unique<Scripted>("device",
-                                       [this] {
-                                           ++device_draws;
-                                           trouble();
-                                       }),
+            std::make_unique<Scripted>(
+                "device",
+                [this] {
+                    ++device_draws;
+                    trouble();
+                },
+                device_poses),
             [this] {
                 ++others_made;
-                return std::make_unique<Scripted>("other", [this] { ++other_draws; });
+                return std::make_unique<Scripted>(
+                    "other", [this] { ++other_draws; }, other_poses);
             },
             [this](const std::string& line) { warnings.push_back(line); });
     }
@@ -71,6 +83,22 @@ TEST(RescuedRenderer, ALostDeviceIsSaidOnceAndNotAskedAgain)
     EXPECT_EQ(stage.others_made, 1);
     EXPECT_EQ(stage.warnings, std::vector<std::string>{"the device was lost"});
     EXPECT_EQ(renderer->device().backend, "other");
+}
+
+TEST(RescuedRenderer, TheOtherTakesThePoseOver)
+{
+    Stage stage;
+    const scene::Scene first, second, third;
+    const std::unique_ptr<Renderer> renderer = stage.make();
+    renderer->pose(first);
+    renderer->pose(second);
+    stage.trouble = [] { throw Error(Failure::no_device, "the device was lost"); };
+    renderer->draw(nullptr, {});
+    EXPECT_EQ(stage.device_poses, (Scripted::Poses{&first, &second}));
+    EXPECT_EQ(stage.other_poses, Scripted::Poses{&second});
+    renderer->pose(third);
+    EXPECT_EQ(stage.device_poses.size(), 2u);
+    EXPECT_EQ(stage.other_poses, (Scripted::Poses{&second, &third}));
 }
 
 TEST(RescuedRenderer, WhatIsNotTheDevicesFaultIsPassedOn)

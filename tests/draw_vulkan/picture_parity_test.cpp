@@ -3,6 +3,7 @@
 #include "draw/vulkan/vulkan_renderer.h"
 #include "environment/builtin.h"
 #include "scene/builtin.h"
+#include "tests/draw/pose_scenes.h"
 #include "tests/draw/test_scenes.h"
 #include "tests/support/process.h"
 #include "tests/vulkan/compute.h"
@@ -149,6 +150,20 @@ TEST_F(PictureParity, SplitSumLayersAndLights)
     settings.model = Model::phong;
     settings.mip_level = MipLevel::report;
     expect_parity(scene, settings, "as the report");
+}
+
+// Textures of it or not.
+TEST_F(PictureParity, OneRoughnessForAllSurfaces)
+{
+    scene::Scene scene = scene::make_builtin("painted");
+    for (scene::Material& material : scene.materials)
+        material.metallic_roughness_texture = material.base_color_texture;
+    Settings settings = settings_for(scene, Model::ggx);
+    settings.roughness_override = 0.35f;
+    expect_parity(scene, settings, "one roughness");
+    settings = settings_for(scene::make_builtin("grid"), Model::ggx);
+    settings.roughness_override = 0.0f;
+    expect_parity(scene::make_builtin("grid"), settings, "no roughness");
 }
 
 TEST_F(PictureParity, WhatIsTransparentAndWhatIsUnlit)
@@ -303,6 +318,28 @@ TEST_F(PictureParity, MoreSurfacesThanRoom)
     }
     EXPECT_NEAR(sum_found, sum_wanted, 2e-3 * sum_wanted);
     EXPECT_LE(apart, 0.02 * sum_wanted);
+    EXPECT_EQ(renderer->complaints(), std::vector<std::string>());
+}
+
+// Another moment is drawn as by a renderer of its own, with the textures of the first.
+TEST_F(PictureParity, APoseIsAsAScene)
+{
+    const test::LeaksOfDrivers allowed;
+    const scene::Scene first = testing::pose_scene(0.0f), second = testing::pose_scene(1.0f);
+    scene::Scene without_images = second;
+    without_images.images.clear();
+    Settings settings = settings_for(second, Model::ggx);
+    settings.layers = true;
+    const std::unique_ptr<VulkanRenderer> renderer = make_vulkan_renderer(first, {true, true, {}});
+    const Frame before = renderer->draw(&kitchen(), settings);
+    renderer->pose(without_images);
+    const Frame wanted = make_cpu_renderer(second)->draw(&kitchen(), settings);
+    const std::vector<bool> edges = edges_of(wanted);
+    EXPECT_LE(relative_rmse(renderer->draw(&kitchen(), settings).radiance, wanted.radiance, edges), 2e-3);
+    EXPECT_GE(relative_rmse(before.radiance, wanted.radiance, edges), 0.05);
+    settings.texel_transfer = TexelTransfer::none;
+    const Frame linear = make_cpu_renderer(second)->draw(&kitchen(), settings);
+    EXPECT_LE(relative_rmse(renderer->draw(&kitchen(), settings).radiance, linear.radiance, edges), 2e-3);
     EXPECT_EQ(renderer->complaints(), std::vector<std::string>());
 }
 

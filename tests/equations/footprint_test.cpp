@@ -37,6 +37,15 @@ TEST(Footprint, BlendHasTheWantedVarianceOverFourDecades)
     }
 }
 
+TEST(Footprint, PartsOfAChain)
+{
+    EXPECT_EQ(in_double::part_of_levels(0.0, 7.0), 0.0);
+    EXPECT_EQ(in_double::part_of_levels(3.5, 7.0), 0.5);
+    EXPECT_EQ(in_double::part_of_levels(7.0, 7.0), 1.0);
+    EXPECT_EQ(in_double::part_of_levels(12.0, 7.0), 1.0);
+    EXPECT_EQ(in_double::part_of_levels(0.0, 0.0), 0.0) << "one level";
+}
+
 TEST(Footprint, LevelsThemselves)
 {
     for (int level = 0; level <= 12; level++)

@@ -122,6 +122,22 @@ Outputs shading_phong_report(Inputs i)
     return outputs(specular_phong_report(formula(1.0), p, N, V, mirrored(vec3(0.6, 0.0, 0.8), V)), i.h);
 }
 
+Outputs shading_middle_levels(Inputs i)
+{
+    vec3 N = direction(i.a, i.b);
+    vec3 V = view_near(N, i);
+    Mirror m = {N, V, mirrored(vec3(0.6, 0.0, 0.8), V), decades(i.e, 1.0e-4, 1.0), 0.1 * i.f * direction(i.g, i.h),
+                0.1 * i.g * direction(i.h, i.f), vec2(0.5, 0.1)};
+    Environment e = formula(1.0);
+    LobeSampling lobe = lobe_sampling(in_frame(carried_frame(N, V, m.across), V), m.alpha, 0.025);
+    PixelBlur pixel = pixel_blur(m, lobe, 0.025);
+    Real exponent = decades(i.e, 0.01, 1000.0);
+    Real phong = middle_level_phong(e, exponent) + matched_level_phong(-4.0 * i.h, exponent, 0.001);
+    Real report = middle_level_report(e, exponent) + report_level_phong(first_term_of_report(e), 0.5 + 0.5 * i.g, 10.0);
+    return outputs(vec3(0.2 * middle_level_ggx(e, m), 0.2 * phong, 0.2 * report),
+                   pixel.moved + pixel.share + 0.2 * matched_level_ggx(lobe.variance, pixel, 100.0));
+}
+
 LocalLight some_lamp(Inputs i)
 {
     LocalLight l = {vec3(4.0 * i.e - 2.0, 4.0 * i.f - 2.0, 3.0), vec3(i.g, i.h, 1.0), direction(i.h, i.g), 0.2 * i.a, 0.9, 0.3};

@@ -202,6 +202,21 @@ TEST(SpecularPhong, MatchedLevelsAreAsWideAsTheShareOfTheLobe)
     }
 }
 
+// Of a lookup at the mirrored view, where the halfway direction is the normal.
+TEST(SpecularPhong, LevelsOfTheLobesMiddle)
+{
+    const Environment e = {16, 1024.0, 512.0, 1.5e-4, nullptr};
+    for (double a : {1.0, 20.0, 625.0, 15625.0}) {
+        const double D = (a + 2.0) / (2.0 * pi);
+        EXPECT_NEAR(in_double::middle_level_report(e, a),
+                    std::max(0.5 * std::log2(1024.0 * 512.0 / 16.0) - 0.5 * std::log2(D / 4.0), 0.0), 1e-9);
+        const double level = in_double::middle_level_phong(e, a), below = std::floor(level);
+        const auto variance = [](double l) { return l < 1.0 ? 1.0 / 16.0 : std::pow(4.0, l - 1.0); };
+        const double blend = variance(below) + (level - below) * (variance(below + 1.0) - variance(below));
+        EXPECT_NEAR(blend, std::max(0.3 * 2.0 * pi / (16.0 * (a + 1.0)) / 1.5e-4, 1.0 / 16.0), 1e-6 * blend);
+    }
+}
+
 // About the mirrored view, at the cosine xi2^(1 / (alpha + 1)).
 TEST(SpecularPhong, DirectionsAreTheLobes)
 {

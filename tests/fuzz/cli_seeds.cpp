@@ -17,6 +17,7 @@ int main(int argc, char** argv)
         "2",
         "render\ngrid\n-o\na.png\n--background\n1,1,1\n--tone\naces\n--space\nnonlinear\n--stats\njson\n--"
         "quiet",
+        "render\na.glb\n-o\na.png\n--animation\nwalk\n--moment\n0.5",
         "env\nsky\n-o\nsky.hdr\n--size\n512x256\n--sun\n10,20\n--turbidity\n3",
         "info\na.glb\n--json",
         "bake\nkitchen\n-o\nbaked\n--size\n64\n--error\n0.02\n--format\ndds\n--irradiance\nsh",

@@ -1,9 +1,11 @@
 // libFuzzer: any bytes as a .gltf or .glb. Loading must return a scene whose indices all lead somewhere, or
-// throw lambent::Error.
+// throw lambent::Error; so must each moment, with as many instances.
+#include "scene/gltf.h"
 #include "scene/gltf_bytes.h"
 
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -41,21 +43,36 @@ void check_mesh(const Mesh& mesh, const Scene& scene)
     }
 }
 
-void check_scene(const Scene& scene)
+// Of a pose, whose images stay with the renderer, `images` are those of the scene.
+void check_scene(const Scene& scene, std::size_t images)
 {
     require(!scene.materials.empty());
     for (const Instance& instance : scene.instances)
-        require(static_cast<std::size_t>(instance.mesh) < scene.meshes.size() && instance.material == -1);
+        require(static_cast<std::size_t>(instance.mesh) < scene.meshes.size() &&
+                instance.material < static_cast<int>(scene.materials.size()) &&
+                (instance.material == -1 || !scene.animations.empty()));
     for (const Mesh& mesh : scene.meshes)
         check_mesh(mesh, scene);
     for (const Material& material : scene.materials)
         for (const TextureUse* use :
              {&material.base_color_texture, &material.metallic_roughness_texture, &material.normal_texture,
               &material.occlusion_texture, &material.emissive_texture})
-            require(use->image >= -1 && use->image < static_cast<int>(scene.images.size()) &&
-                    use->texcoord >= 0 && use->texcoord <= 1);
+            require(use->image >= -1 && use->image < static_cast<int>(images) && use->texcoord >= 0 &&
+                    use->texcoord <= 1);
     const Bounds box = bounds(scene);
-    require(scene.instances.empty() || std::isfinite(box.high.x - box.low.x));
+    require(triangle_count(scene) == 0 || std::isfinite(box.high.x - box.low.x));
+}
+
+void check_poses(const GltfFile& file, const Scene& scene)
+{
+    for (std::size_t i = 0; i < std::min<std::size_t>(file.animations().size(), 4); ++i)
+        for (const double part : {0.0, 0.37, 1.0}) {
+            const Scene posed = file.pose({static_cast<int>(i), part * file.animations()[i].seconds});
+            require(posed.instances.size() == scene.instances.size());
+            require(posed.meshes.size() == scene.meshes.size());
+            require(posed.materials.size() == scene.materials.size());
+            check_scene(posed, scene.images.size());
+        }
 }
 
 } // namespace
@@ -66,7 +83,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
     try {
         Warnings warnings;
-        check_scene(load_gltf_bytes({"fuzz", {data, size}, std::nullopt}, warnings));
+        const GltfFile file({"fuzz", {data, size}, std::nullopt}, warnings);
+        const Scene scene = file.scene(std::nullopt, warnings);
+        check_scene(scene, scene.images.size());
+        check_poses(file, scene);
     } catch (const Error&) {
     }
     return 0;

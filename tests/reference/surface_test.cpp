@@ -20,12 +20,13 @@ struct Met {
     double opacity = 0.0;
 };
 
-Met meet(scene::Scene scene, float x, float y, view::Model model = view::Model::ggx)
+Met meet(scene::Scene scene, float x, float y, view::Model model = view::Model::ggx,
+         std::optional<float> roughness = std::nullopt)
 {
     Met met;
     met.scene = std::move(scene);
     const trace::Visibility visibility(met.scene);
-    const Surfaces surfaces(met.scene, model, TexelTransfer::srgb);
+    const Surfaces surfaces(met.scene, model, TexelTransfer::srgb, roughness);
     met.hit = visibility.nearest({{x, y, 10.0f}, {0.0f, 0.0f, -1.0f}});
     EXPECT_TRUE(met.hit.found());
     met.surface = surfaces.at(met.hit, {0.0, 0.0, -1.0});
@@ -151,6 +152,25 @@ TEST(ReferenceSurface, ColoursAreFactorTimesTextureTimesVertices)
     EXPECT_NEAR(met.surface.metalness, 0.25 * 0.4, 1e-6);
     EXPECT_NEAR(met.surface.gloss, std::pow(0.5 * 0.8, 2.0), 1e-6);
     EXPECT_NEAR(met.opacity, 128.0 / 255.0, 1e-6);
+}
+
+// A square whose texture of roughness goes up and down, and the same with one roughness and no texture.
+TEST(ReferenceSurface, OneRoughnessIsThatOfAllMaterials)
+{
+    scene::Material material = metallic(0.7f, 0.0f, 0.9f);
+    material.metallic_roughness_texture.image = 0;
+    scene::Scene textured = scene_of(facing_square(1.0f, 0.0f), material);
+    textured.images.push_back({2, 1, 4, 8, {0, 30, 255, 255, 0, 250, 80, 255}});
+    const scene::Scene plain = scene_of(facing_square(1.0f, 0.0f), metallic(0.7f, 0.0f, 0.3f));
+    EXPECT_NEAR(meet(textured, 0.1f, 0.2f, view::Model::ggx, 0.3f).surface.gloss, 0.09, 1e-7);
+    EXPECT_NE(meet(textured, 0.1f, 0.2f).surface.gloss, meet(plain, 0.1f, 0.2f).surface.gloss);
+    const image::RadianceImage light =
+        panorama_of(16, [](const glm::dvec3& d) { return glm::dvec3(1.0) + 0.5 * d; });
+    Settings settings = small_settings(8, 1.0f, 16);
+    settings.seed = 3;
+    const Result wanted = trace(plain, &light, settings);
+    settings.roughness_override = 0.3f;
+    EXPECT_EQ(trace(textured, &light, settings).radiance.values, wanted.radiance.values);
 }
 
 TEST(ReferenceSurface, OpacityIsByTheModeOfAlpha)

@@ -45,6 +45,20 @@ GltfBuilder rich_file()
     b.add_node({{"camera", 0}, {"rotation", {0, 0, 0, 1}}, {"children", {2}}});
     b.document["nodes"].push_back(
         {{"mesh", 0}, {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}, {"scale", {1, 2, 3}}});
+    const int times = b.add("SCALAR", f32, std::vector<float>{0, 1});
+    const int places = b.add_vec3({0, 0, 0, 0, 0, 1});
+    const int turns = b.add<std::int16_t>("VEC4", i16, {0, 0, 0, 32767, 0, 32767, 0, 0}, true);
+    const int shapes = b.add("SCALAR", f32, std::vector<float>{0, 0, 0, 0, 1, 0});
+    const auto channel = [](int sampler, int node, const char* path) {
+        return json{{"sampler", sampler}, {"target", {{"node", node}, {"path", path}}}};
+    };
+    b.add_to("animations", {{"channels",
+                             {channel(0, 1, "translation"), channel(0, 2, "scale"), channel(1, 1, "rotation"),
+                              channel(2, 0, "weights")}},
+                            {"samplers",
+                             {{{"input", times}, {"output", places}, {"interpolation", "STEP"}},
+                              {{"input", times}, {"output", turns}},
+                              {{"input", times}, {"output", shapes}, {"interpolation", "CUBICSPLINE"}}}}});
     return b;
 }
 

@@ -6,7 +6,7 @@
 namespace lambent::scene::test {
 
 /// Two nodes show one mesh, once skinned, with sparse, normalized and morphed vertices, a strip of indices, a
-/// normal map, a camera and a light: most of what the loader reads.
+/// normal map, a camera and a light, and an animation moves them: most of what the loader reads.
 GltfBuilder rich_file();
 
 } // namespace lambent::scene::test

@@ -239,6 +239,28 @@ const checks = {
         });
         assert.match(await page.textContent('#trouble'), /folders of the server/);
     }),
+    'what need not be set is taken back': () => open({}, async page => {
+        const number = page.locator('[aria-label="Roughness"]');
+        const before = await pixels(page);
+        await slide(page, '#set-roughness', 'ArrowRight', 10);
+        assert.match(await page.inputValue('#command'), / --roughness 0\.5/);
+        assert.notEqual((await pixels(page)).hash, before.hash);
+        await page.click('[aria-label="Roughness: default"]');
+        await settled(page);
+        assert.doesNotMatch(await page.inputValue('#command'), /--roughness/);
+        assert.equal((await pixels(page)).hash, before.hash);
+        await number.fill('0.2');
+        await number.press('Tab');
+        await settled(page);
+        assert.match(await page.inputValue('#command'), / --roughness 0\.2/);
+        await number.fill('');
+        await number.press('Tab');
+        await settled(page);
+        assert.doesNotMatch(await page.inputValue('#command'), /--roughness/);
+        await page.selectOption('#set-model', 'phong');
+        await settled(page);
+        assert.ok(!await page.locator('#set-roughness').isVisible());
+    }),
     'every control has a name': () => open({}, async page => {
         const nameless = await page.evaluate(() => [...document.querySelectorAll('input, select, textarea, button')]
             .filter(control => !control.labels?.length && !control.ariaLabel && !control.textContent.trim())

@@ -261,7 +261,8 @@ TEST(Desk, EveryLayerCanBeLookedAt)
     std::uint64_t input = 0;
     const std::vector<std::uint8_t> picture = seat.wait_for(Picture::Kind::rest, 0).codes.bytes;
     for (const char* model : {"ggx", "phong"})
-        for (const char* layer : {"base_color", "alpha", "normal", "depth", "irradiance", "light_specular"}) {
+        for (const char* layer : {"base_color", "alpha", "roughness", "normal", "depth", "mip_level",
+                                  "irradiance", "light_specular"}) {
             seat.change(++input, [&](Wish& wish, const Eye::World&) {
                 wish.values.set("model", model);
                 wish.values.set("layer", layer);

@@ -77,6 +77,37 @@ TEST(Parameters, OptionsAreThoseThatDiffer)
     EXPECT_EQ(values.options(false), (Words{"--exposure", "2.5", "--model", "phong"}));
 }
 
+TEST(Parameters, OneRoughnessIsOfGgxAndMayBeTakenBack)
+{
+    using Words = std::vector<std::string>;
+    Values values;
+    values.set("roughness", "0.5");
+    EXPECT_EQ(values.options(false), (Words{"--roughness", "0.5"}));
+    values.set("model", "phong");
+    EXPECT_EQ(values.options(true), (Words{"--model", "phong"}));
+    values.set("model", "ggx");
+    values.set("roughness", "");
+    EXPECT_TRUE(values == Values());
+}
+
+TEST(Parameters, RowsApplyWhereTheirOptionsDo)
+{
+    Values values;
+    const auto applying = [&](bool built_in) {
+        std::set<std::string_view> names;
+        for (const Parameter& row : parameters())
+            if (row.scope != Scope::all && values.applies(row, built_in))
+                names.insert(row.name);
+        return names;
+    };
+    using Names = std::set<std::string_view>;
+    EXPECT_EQ(applying(true), (Names{"roughness"}));
+    EXPECT_EQ(applying(false), (Names{"roughness"}));
+    values.set("model", "phong");
+    EXPECT_EQ(applying(true), (Names{"alpha", "kd", "ks"}));
+    EXPECT_EQ(applying(false), Names());
+}
+
 TEST(Parameters, JsonHasEveryRowAndValue)
 {
     const nlohmann::ordered_json rows = to_json(parameters()), values = to_json(Values());
@@ -84,6 +115,7 @@ TEST(Parameters, JsonHasEveryRowAndValue)
     for (const auto& row : rows) {
         EXPECT_EQ(values.at(row.at("name").get<std::string>()), row.at("usual"));
         EXPECT_EQ(row.contains("choices"), row.at("kind") == "choice");
+        EXPECT_EQ(row.at("scope") == "ggx", row.at("name") == "roughness");
     }
 }
 

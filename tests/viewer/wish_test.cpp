@@ -39,6 +39,19 @@ TEST(Wish, TheCommandSaysAllThatIsNotUsual)
     EXPECT_EQ(arguments.display.tone, display::Tone::agx);
 }
 
+TEST(Wish, AMomentIsOfTheSceneThatItWasGivenWith)
+{
+    cli::StartArguments start;
+    start.picture.scene = "walker.glb";
+    start.words = {{"animation", "-walk"}, {"moment", "0.5"}};
+    Wish wish = first_wish(start);
+    const cli::RenderArguments arguments = arguments_of(wish);
+    EXPECT_EQ(arguments.animation, "-walk");
+    EXPECT_EQ(arguments.moment, 0.5);
+    wish.scene = "sphere";
+    EXPECT_FALSE(arguments_of(wish).moment.has_value());
+}
+
 TEST(Wish, LightsAreCheckedAndCounted)
 {
     Wish wish{"grid", "kitchen", {}, {}, {}};

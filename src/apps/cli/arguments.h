@@ -43,6 +43,8 @@ struct RenderArguments {
     std::optional<view::Orbit> orbit; ///< unset: the default view, or camera_node
     std::optional<glm::vec3> target;  ///< what the orbit is around; unset: the scene's middle
     std::string camera_node;
+    std::string animation;        ///< name or number; empty: none, or the first, if there is a moment
+    std::optional<double> moment; ///< seconds; unset: the animation's start, if there is one
     float vertical_fov = 0.7853982f;
     display::Settings display;
     scene::BuiltinOptions builtin;

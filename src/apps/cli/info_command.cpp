@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace lambent::cli {
@@ -25,7 +26,8 @@ Json describe_scene(const scene::Scene& scene)
 {
     Json info = {{"format", "glTF 2.0"}, {"triangles", scene::triangle_count(scene)}};
     info["instances"] = scene.instances.size();
-    info["meshes"] = scene.meshes.size();
+    info["meshes"] = std::count_if(scene.meshes.begin(), scene.meshes.end(),
+                                   [](const scene::Mesh& mesh) { return !mesh.triangles.empty(); });
     info["materials"] = scene.materials.size();
     info["textures"] = Json::array();
     for (const image::CodeImage& image : scene.images)
@@ -34,6 +36,9 @@ Json describe_scene(const scene::Scene& scene)
     for (const scene::Camera& camera : scene.cameras)
         info["cameras"].push_back(camera.name);
     info["lights"] = scene.lights.size();
+    info["animations"] = Json::array();
+    for (const scene::AnimationInfo& animation : scene.animations)
+        info["animations"].push_back({{"name", animation.name}, {"seconds", animation.seconds}});
     const scene::Bounds bounds = scene::bounds(scene);
     if (bounds.low.x <= bounds.high.x) {
         info["low_corner_m"] = triple(bounds.low);
@@ -62,6 +67,8 @@ std::string plain(const Json& value)
 {
     if (value.is_string())
         return value.get<std::string>();
+    if (value.is_object())
+        return text(plain(value["name"]), ", ", value["seconds"].get<double>(), " s");
     if (!value.is_array())
         return value.dump();
     std::string line;

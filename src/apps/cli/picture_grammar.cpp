@@ -19,6 +19,9 @@ void add_view(CLI::App& app, RenderArguments& arguments, PictureWords& words)
     option(app, "--camera-node", arguments.camera_node, "NAME", "A camera of the glTF");
     option(app, "--fov", words.fov, "DEG", "Vertical field of view (45)");
     option(app, "--aa", words.aa, "N", "Samples per pixel where surfaces end (4)");
+    option(app, "--animation", words.animation, "NAME|N",
+           "An animation of the glTF, or its number from 0 (none; with --moment 0)");
+    option(app, "--moment", words.moment, "S", "Seconds from its start, at most its duration (0)");
 }
 
 void add_light(CLI::App& app, RenderArguments& arguments, PictureWords& words)
@@ -44,6 +47,8 @@ void add_light(CLI::App& app, RenderArguments& arguments, PictureWords& words)
 void add_material(CLI::App& app, PictureWords& words)
 {
     option(app, "--model", words.model, "MODEL", "ggx, as glTF, or phong, as the report (ggx)");
+    option(app, "--roughness", words.roughness, "R",
+           "ggx: perceptual roughness of all surfaces, 0 to 1, instead of their own");
     option(app, "--mip-level", words.mip_level, "RULE",
            "phong: matched to the lobe, or the report's own choice, which shows blocks (matched)");
     option(app, "--alpha", words.alpha, "A", "phong, built-in shapes: exponent, above 0, at most 1e6");
@@ -87,6 +92,19 @@ void apply_view(const PictureWords& words, RenderArguments& arguments)
         arguments.settings.edge_samples = whole_in(words.aa, "--aa", 1, 64);
 }
 
+void apply_moment(const PictureWords& words, RenderArguments& arguments)
+{
+    for (const auto& [name, word] : {std::pair("--animation", &words.animation), {"--moment", &words.moment}})
+        if (!word->empty() && scene::is_builtin(arguments.scene))
+            throw Error(Failure::usage, text(name, ": only with a .gltf or .glb"));
+    arguments.animation = words.animation;
+    if (words.moment.empty())
+        return;
+    arguments.moment = parse_number(words.moment, "--moment");
+    if (*arguments.moment < 0.0)
+        throw Error(Failure::usage, text("--moment: '", words.moment, "' is before the start"));
+}
+
 void apply_light(const PictureWords& words, RenderArguments& arguments)
 {
     draw::Settings& settings = arguments.settings;
@@ -105,6 +123,15 @@ void apply_light(const PictureWords& words, RenderArguments& arguments)
         settings.samples = draw::split_sum_samples;
 }
 
+void apply_roughness(const std::string& word, draw::Settings& settings)
+{
+    if (word.empty())
+        return;
+    if (settings.model != draw::Model::ggx)
+        throw Error(Failure::usage, "--roughness: only with --model ggx; phong's is --alpha, the exponent");
+    settings.roughness_override = number_in(word, "--roughness", 0.0, 1.0);
+}
+
 void apply_material(const PictureWords& words, RenderArguments& arguments)
 {
     using draw::Model, draw::MipLevel;
@@ -112,6 +139,7 @@ void apply_material(const PictureWords& words, RenderArguments& arguments)
     if (!words.model.empty())
         settings.model =
             choose<Model>(words.model, "--model", {{"ggx", Model::ggx}, {"phong", Model::phong}});
+    apply_roughness(words.roughness, settings);
     if (!words.mip_level.empty())
         settings.mip_level = choose<MipLevel>(words.mip_level, "--mip-level",
                                               {{"matched", MipLevel::matched}, {"report", MipLevel::report}});
@@ -169,12 +197,15 @@ std::vector<std::pair<std::string, std::string>> PictureWords::given() const
                                                             {"target", target},
                                                             {"fov", fov},
                                                             {"aa", aa},
+                                                            {"animation", animation},
+                                                            {"moment", moment},
                                                             {"env-rotation", rotation},
                                                             {"background", background},
                                                             {"ambient-brightness", ambient},
                                                             {"ibl", ibl},
                                                             {"samples", samples},
                                                             {"model", model},
+                                                            {"roughness", roughness},
                                                             {"mip-level", mip_level},
                                                             {"alpha", alpha},
                                                             {"kd", kd},
@@ -208,6 +239,7 @@ RenderArguments PictureGrammar::result() const
     arguments.common = common_options(words_);
     arguments.cache = !words_.no_cache;
     apply_view(words_, arguments);
+    apply_moment(words_, arguments);
     apply_light(words_, arguments);
     apply_material(words_, arguments);
     apply_display(words_, arguments);

@@ -12,9 +12,9 @@ namespace lambent::cli {
 
 /// Words as given; CLI11 fills these, and an empty one was not given.
 struct PictureWords : CommonWords {
-    std::string size, camera, target, fov, aa;
+    std::string size, camera, target, fov, aa, animation, moment;
     std::string rotation, background, ambient, ibl, samples;
-    std::string model, mip_level, alpha, kd, ks, density;
+    std::string model, roughness, mip_level, alpha, kd, ks, density;
     std::string exposure, contrast, tone, space;
     std::string backend;
     std::vector<std::string> lights;

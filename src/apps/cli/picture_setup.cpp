@@ -2,9 +2,36 @@
 
 #include "apps/cli/values.h"
 #include "base/text.h"
-#include "scene/gltf.h"
+
+#include <algorithm>
+#include <charconv>
 
 namespace lambent::cli {
+namespace {
+
+// Of an animation: its name's place in the list, else the number that the word is.
+std::optional<std::size_t> index_of(const std::string& word, std::span<const scene::AnimationInfo> animations)
+{
+    for (std::size_t i = 0; i < animations.size(); ++i)
+        if (animations[i].name == word)
+            return i;
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+    const bool whole = error == std::errc() && end == word.data() + word.size();
+    return whole && number < animations.size() ? std::optional(number) : std::nullopt;
+}
+
+std::string names_of(std::span<const scene::AnimationInfo> animations)
+{
+    constexpr std::size_t most = 20;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(animations.size(), most); ++i)
+        names += text(i == 0 ? "" : ", ", animations[i].name.substr(0, 40));
+    return one_line(names + (animations.size() > most ? ", ..." : ""));
+}
+
+} // namespace
+
 // Charts are looked at from the front; everything else three quarters from the front, a little from above.
 view::Orbit default_orbit(const std::string& scene)
 {
@@ -19,7 +46,24 @@ scene::Scene load_scene(const RenderArguments& arguments, Warnings& warnings)
 {
     if (scene::is_builtin(arguments.scene))
         return scene::make_builtin(arguments.scene, arguments.builtin);
-    return scene::load_gltf(arguments.scene, warnings);
+    const scene::GltfFile file(arguments.scene, warnings);
+    return file.scene(moment_asked(arguments, file.animations()), warnings);
+}
+
+std::optional<scene::Moment> moment_asked(const RenderArguments& arguments,
+                                          std::span<const scene::AnimationInfo> animations)
+{
+    if (arguments.animation.empty() && !arguments.moment)
+        return std::nullopt;
+    const char* const option = arguments.animation.empty() ? "--moment" : "--animation";
+    if (animations.empty())
+        throw Error(Failure::usage, text(option, ": ", arguments.scene, " has no animations"));
+    const std::optional<std::size_t> index =
+        arguments.animation.empty() ? std::size_t{0} : index_of(arguments.animation, animations);
+    if (!index)
+        throw Error(Failure::usage, text(option, ": ", arguments.scene, " has no animation '",
+                                         arguments.animation, "' (it has ", names_of(animations), ")"));
+    return scene::Moment{static_cast<int>(*index), arguments.moment.value_or(0.0)};
 }
 
 view::Camera choose_camera(const RenderArguments& arguments, const scene::Scene& scene)
@@ -31,7 +75,7 @@ view::Camera choose_camera(const RenderArguments& arguments, const scene::Scene&
         throw Error(Failure::usage, text("--camera-node: ", arguments.scene, " has no camera '",
                                          arguments.camera_node, "' (it has ", scene.cameras.size(), ")"));
     }
-    return orbit_asked(arguments, scene::bounds(scene));
+    return orbit_asked(arguments, scene::framed_bounds(scene));
 }
 
 view::Camera orbit_asked(const RenderArguments& arguments, const scene::Bounds& bounds)

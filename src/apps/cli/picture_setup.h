@@ -3,12 +3,21 @@
 
 #include "apps/cli/arguments.h"
 #include "base/error.h"
+#include "scene/gltf.h"
 #include "scene/scene.h"
+
+#include <optional>
+#include <span>
 
 namespace lambent::cli {
 
-/// The built-in scene or the file. Throws as scene::load_gltf.
+/// The built-in scene or the file, at the moment asked for. Throws as scene::load_gltf and moment_asked.
 scene::Scene load_scene(const RenderArguments& arguments, Warnings& warnings);
+
+/// The moment asked for of a file with these animations; none: it stands still. Throws Error(usage), naming them, where
+/// the one asked for is not there.
+std::optional<scene::Moment> moment_asked(const RenderArguments& arguments,
+                                          std::span<const scene::AnimationInfo> animations);
 
 /// The orbit or default view asked for of a scene in this box, whatever the camera node.
 view::Camera orbit_asked(const RenderArguments& arguments, const scene::Bounds& bounds);

@@ -27,7 +27,7 @@ std::vector<std::string> words_of(const StartArguments& start)
     };
     add("--env", picture.environment);
     for (const auto& [name, word] : start.words)
-        add("--" + name, word);
+        words.push_back(text("--", name, "=", word)); // a word may look like an option
     for (const std::string& light : start.lights)
         add("--light", light);
     if (!picture.camera_node.empty())
@@ -57,6 +57,7 @@ void run(const ViewArguments& arguments)
                                              "shows the same in a browser"));
     std::vector<std::string> words = words_of(arguments.start);
     std::vector<char*> pointers;
+    pointers.reserve(words.size() + 1);
     for (std::string& word : words)
         pointers.push_back(word.data());
     pointers.push_back(nullptr);

@@ -109,11 +109,18 @@ function fill(select, names, chosen) {
 
 const isBuiltIn = name => scenes.includes(name) && !/\.(gltf|glb)$/.test(name);
 
+// Whether a row of the table says something about the picture.
+function applies(row) {
+    const phong = state.values.model === 'phong';
+    return { all: true, ggx: !phong, phong_shapes: phong && isBuiltIn(state.scene) }[row.scope];
+}
+
 function showState(message) {
     state = message;
-    for (const row of table) row.show(state.values[row.name]);
-    for (const row of table.filter(entry => entry.phong_shapes))
-        row.element.hidden = !(state.values.model === 'phong' && isBuiltIn(state.scene));
+    for (const row of table) {
+        row.show(state.values[row.name]);
+        row.element.hidden = !applies(row);
+    }
     choose(at('scene'), state.scene);
     choose(at('environment'), state.environment);
     at('command').value = state.command;
@@ -171,7 +178,10 @@ function numberControl(row) {
         say();
         set(row, Number(number.value));
     });
-    number.addEventListener('change', () => { if (number.value !== '') set(row, Number(number.value)); });
+    number.addEventListener('change', () => {
+        if (number.value !== '') set(row, Number(number.value));
+        else if (row.usual === '' && !number.validity.badInput) set(row, '');
+    });
     row.show = word => {
         if (document.activeElement !== number) number.value = word;
         if (document.activeElement !== slider || word === row.usual)

@@ -24,7 +24,7 @@ Moved number(const Parameter& row, const std::string& label, const std::string& 
     const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp |
                                    (row.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
     if (!ImGui::SliderFloat(label.c_str(), &value, static_cast<float>(row.least),
-                            static_cast<float>(row.most), "%.4g", flags))
+                            static_cast<float>(row.most), word.empty() ? "not set" : "%.4g", flags))
         return std::nullopt;
     return viewer::number_word(static_cast<double>(value));
 }
@@ -69,6 +69,17 @@ Moved color(const std::string& label, const std::string& word)
                 viewer::number_word(linear[2]));
 }
 
+// Takes a value away from a row that need not have one.
+Moved unset(const Parameter& row, const std::string& word)
+{
+    if (!row.may_be_empty() || word.empty())
+        return std::nullopt;
+    ImGui::SameLine();
+    if (!ImGui::SmallButton(text("x##", row.name).c_str()))
+        return std::nullopt;
+    return std::string();
+}
+
 Moved control(const Parameter& row, const std::string& word)
 {
     const std::string label = text(row.label, "##", row.name);
@@ -100,13 +111,15 @@ void show_controls(Session& session, const viewer::Values& values, bool built_in
             group = row.group;
             open = ImGui::CollapsingHeader(std::string(group).c_str(), ImGuiTreeNodeFlags_DefaultOpen);
         }
-        if (!open || (row.phong_shapes && !(built_in && values["model"] == "phong")))
+        if (!open || !values.applies(row, built_in))
             continue;
         Moved moved = control(row, values[row.name]);
         if (ImGui::IsItemClicked(ImGuiMouseButton_Right))
             moved = std::string(row.usual);
         if (moved)
             set(session, row, *moved);
+        else if (const Moved nothing = unset(row, values[row.name]))
+            set(session, row, *nothing);
     }
 }
 

@@ -37,7 +37,7 @@ std::string layer_name(const Plan& plan)
         return plan.layer;
     if (plan.layer == "base_color")
         return "diffuse";
-    return plan.layer == "alpha" ? "exponent" : plan.layer;
+    return plan.layer == "alpha" || plan.layer == "roughness" ? "exponent" : plan.layer;
 }
 
 image::CodeImage codes_of(const Plan& plan, const draw::Frame& frame)

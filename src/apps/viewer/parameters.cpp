@@ -24,9 +24,8 @@ constexpr std::array table = {
               "reinhard neutral aces agx linear"},
     Parameter{"space", "Space", "Display", Kind::choice, "linear", 0, 0, false, "linear nonlinear"},
     Parameter{"layer", "Show", "Display", Kind::choice, "picture", 0, 0, false,
-              "picture reference error base_color specular alpha metalness normal depth occlusion irradiance "
-              "light_emitted "
-              "light_direct light_ambient light_specular background"},
+              "picture reference error base_color specular alpha roughness metalness normal depth occlusion "
+              "mip_level irradiance light_emitted light_direct light_ambient light_specular background"},
     Parameter{"bounces", "Reference bounces", "Display", Kind::whole, "8", 0.0, 64.0},
     Parameter{"env-rotation", "Rotation", "Light", Kind::number, "0", -180.0, 180.0},
     Parameter{"ambient-brightness", "Diffuse brightness", "Light", Kind::number, "1", 0.0, 20.0},
@@ -35,10 +34,11 @@ constexpr std::array table = {
     Parameter{"background", "Background", "Light", Kind::choice, "env", 0, 0, false,
               "env none blur:0.2 blur:0.4 blur:0.7 0,0,0 0.2,0.2,0.2 1,1,1"},
     Parameter{"model", "Model", "Surfaces", Kind::choice, "ggx", 0, 0, false, "ggx phong"},
+    Parameter{"roughness", "Roughness", "Surfaces", Kind::number, "", 0.0, 1.0, false, {}, Scope::ggx},
     Parameter{"mip-level", "Mip level", "Surfaces", Kind::choice, "matched", 0, 0, false, "matched report"},
-    Parameter{"alpha", "Exponent", "Surfaces", Kind::number, "", 0.01, 1.0e6, true, {}, true},
-    Parameter{"kd", "Diffuse colour", "Surfaces", Kind::color, "", 0.0, 1.0, false, {}, true},
-    Parameter{"ks", "Specular colour", "Surfaces", Kind::color, "", 0.0, 1.0, false, {}, true},
+    Parameter{"alpha", "Exponent", "Surfaces", Kind::number, "", 0.01, 1.0e6, true, {}, Scope::phong_shapes},
+    Parameter{"kd", "Diffuse colour", "Surfaces", Kind::color, "", 0.0, 1.0, false, {}, Scope::phong_shapes},
+    Parameter{"ks", "Specular colour", "Surfaces", Kind::color, "", 0.0, 1.0, false, {}, Scope::phong_shapes},
     Parameter{"fov", "Field of view", "Camera", Kind::number, "45", least_fov, most_fov},
     Parameter{"aa", "Edge samples", "Camera", Kind::whole, "4", 1.0, most_edge_samples},
 };
@@ -98,7 +98,7 @@ std::string checked_number(const Parameter& row, const std::string& word)
 
 std::string checked(const Parameter& row, const std::string& word)
 {
-    if (word.empty() && row.usual.empty())
+    if (word.empty() && row.may_be_empty())
         return word;
     switch (row.kind) {
     case Kind::choice:
@@ -114,6 +114,12 @@ const char* name_of(Kind kind)
 {
     constexpr std::array names = {"number", "whole", "choice", "color"};
     return names[static_cast<std::size_t>(kind)];
+}
+
+const char* name_of(Scope scope)
+{
+    constexpr std::array names = {"all", "ggx", "phong_shapes"};
+    return names[static_cast<std::size_t>(scope)];
 }
 
 } // namespace
@@ -140,14 +146,25 @@ void Values::set(std::string_view name, const std::string& word)
     words_.find(row.name)->second = checked(row, word);
 }
 
+bool Values::applies(const Parameter& row, bool built_in) const
+{
+    const bool phong = (*this)["model"] == "phong";
+    switch (row.scope) {
+    case Scope::ggx:
+        return !phong;
+    case Scope::phong_shapes:
+        return phong && built_in;
+    default:
+        return true;
+    }
+}
+
 std::vector<std::string> Values::options(bool built_in) const
 {
-    const bool phong_shapes = built_in && (*this)["model"] == "phong";
     std::vector<std::string> options;
     for (const Parameter& row : table) {
         const std::string& word = (*this)[row.name];
-        if (row.name == "layer" || row.name == "bounces" || word == row.usual ||
-            (row.phong_shapes && !phong_shapes))
+        if (row.name == "layer" || row.name == "bounces" || word == row.usual || !applies(row, built_in))
             continue;
         options.push_back(text("--", row.name));
         options.push_back(word);
@@ -159,15 +176,11 @@ nlohmann::ordered_json to_json(std::span<const Parameter> rows)
 {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const Parameter& row : rows) {
-        nlohmann::ordered_json entry = {{"name", row.name},
-                                        {"label", row.label},
-                                        {"group", row.group},
-                                        {"kind", name_of(row.kind)},
-                                        {"usual", row.usual},
-                                        {"least", row.least},
-                                        {"most", row.most},
-                                        {"logarithmic", row.logarithmic},
-                                        {"phong_shapes", row.phong_shapes}};
+        nlohmann::ordered_json entry = {{"name", row.name},           {"label", row.label},
+                                        {"group", row.group},         {"kind", name_of(row.kind)},
+                                        {"usual", row.usual},         {"least", row.least},
+                                        {"most", row.most},           {"logarithmic", row.logarithmic},
+                                        {"scope", name_of(row.scope)}};
         if (row.kind == Kind::choice)
             entry["choices"] = words_of(row.choices);
         list.push_back(std::move(entry));

@@ -19,10 +19,18 @@ enum class Kind {
     color,  ///< "R,G,B", each from 0 to most
 };
 
+/// What a row of the table says something about.
+enum class Scope {
+    all,          ///< every picture
+    ggx,          ///< the model ggx
+    phong_shapes, ///< the model phong on built-in shapes
+};
+
 /// From the report's darkest picture to its brightest; what --fov takes is a little wider.
 constexpr double least_exposure = 1e-3, most_exposure = 1e4, least_fov = 1.0, most_fov = 170.0;
 
-/// A row of the table. Values are words, as on the command line; an empty one is not given.
+/// A row of the table. Values are words, as on the command line; an empty one is not given, which is a value of those
+/// rows whose default it is.
 struct Parameter {
     std::string_view
         name; ///< with "--" before it the option of `lambent render`, but for `layer` and `bounces`
@@ -32,7 +40,9 @@ struct Parameter {
     double least = 0.0, most = 1.0;
     bool logarithmic = false;      ///< how a control is divided
     std::string_view choices = {}; ///< with spaces between them
-    bool phong_shapes = false;     ///< only for the model phong on built-in shapes; may be empty
+    Scope scope = Scope::all;
+
+    bool may_be_empty() const { return usual.empty(); }
 };
 
 std::span<const Parameter> parameters();
@@ -49,7 +59,10 @@ public:
     /// none of its values.
     void set(std::string_view name, const std::string& word);
 
-    /// The options that differ from the defaults, for a scene that is built in or not.
+    /// Whether a row says something about these values' picture of a scene that is built in or not.
+    bool applies(const Parameter& row, bool built_in) const;
+
+    /// The options that differ from the defaults, for such a scene.
     std::vector<std::string> options(bool built_in) const;
 
     bool operator==(const Values&) const = default;

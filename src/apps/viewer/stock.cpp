@@ -9,6 +9,7 @@
 #include <chrono>
 #include <exception>
 #include <filesystem>
+#include <iomanip>
 #include <new>
 #include <utility>
 
@@ -32,7 +33,8 @@ std::string model_key(const cli::RenderArguments& arguments)
     };
     const scene::BuiltinOptions& options = arguments.builtin;
     return text("model\n", arguments.scene, "\n", color(options.diffuse), " ", color(options.specular), " ",
-                options.exponent.value_or(0.0f), " ", options.density);
+                options.exponent.value_or(0.0f), " ", options.density, "\n", arguments.animation, "\n",
+                arguments.moment ? text(std::setprecision(17), *arguments.moment) : "");
 }
 
 // "" where there is none to watch.
@@ -51,7 +53,7 @@ std::shared_ptr<void> load_model(const cli::RenderArguments& arguments, const cl
 } // namespace
 
 Model::Model(scene::Scene scene, Warnings warnings, cli::RendererChoice backend)
-    : scene_(std::move(scene)), bounds_(scene::bounds(scene_)), warnings_(std::move(warnings)),
+    : scene_(std::move(scene)), bounds_(scene::framed_bounds(scene_)), warnings_(std::move(warnings)),
       backend_(std::move(backend))
 {
 }

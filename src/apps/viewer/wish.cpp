@@ -53,11 +53,14 @@ Wish first_wish(const cli::StartArguments& start)
             wish.fixed.insert(wish.fixed.end(), {"--backend", word});
         else if (name == "density")
             wish.density = word;
+        else if (name == "animation" || name == "moment")
+            wish.pose.push_back(text("--", name, "=", word)); // a name may look like an option
         else if (name == "env-rotation")
             turn_environment(wish, cli::parse_number(word, name));
         else if (name != "size" && name != "target")
             wish.values.set(name, word);
     }
+    wish.posed = wish.scene;
     if (!picture.settings.energy_compensation)
         wish.fixed.emplace_back("--no-energy-compensation");
     if (picture.display.dither)
@@ -72,8 +75,9 @@ void look_through(Wish& wish, const scene::Scene& scene, const std::string& came
     asked.camera_node = camera;
     const view::Camera found = cli::choose_camera(asked, scene);
     const glm::dvec3 back(found.back), position(found.position);
-    const double far_enough = 1e-3 * radius_of(scene::bounds(scene));
-    double distance = std::max(glm::dot(position - middle_of(scene::bounds(scene)), back), far_enough);
+    const scene::Bounds bounds = scene::framed_bounds(scene);
+    const double far_enough = 1e-3 * radius_of(bounds);
+    double distance = std::max(glm::dot(position - middle_of(bounds), back), far_enough);
     if (found.vertical_fov > 0.0f) {
         const double fov = static_cast<double>(found.vertical_fov) * degrees;
         wish.values.set("fov", number_word(std::clamp(fov, least_fov, most_fov)));
@@ -129,6 +133,8 @@ std::vector<std::string> words_of(const Wish& wish)
         add({"--light", light});
     if (!wish.density.empty() && scene::is_builtin(wish.scene))
         add({"--density", wish.density});
+    if (wish.scene == wish.posed)
+        add(wish.pose);
     add(wish.fixed);
     return words;
 }

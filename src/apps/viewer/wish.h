@@ -18,6 +18,8 @@ struct Wish {
     int width = 1280, height = 720;
     std::vector<std::string> fixed = {}; ///< more options of `render`, which nobody changes
     std::string density = {};            ///< word of --density, for built-in shapes; empty: not given
+    std::string posed = {};              ///< the scene that `pose` is for; other scenes stand still
+    std::vector<std::string> pose = {};  ///< --animation=NAME and --moment=S, as given
 };
 
 /// At most this many lights, and this many pixels in a picture.

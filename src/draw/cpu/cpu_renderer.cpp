@@ -37,14 +37,20 @@ private:
 
 class CpuRenderer : public Renderer {
 public:
-    explicit CpuRenderer(const scene::Scene& scene) : scene_(scene) {}
+    explicit CpuRenderer(const scene::Scene& scene) : first_(scene), scene_(&scene) {}
 
     Frame draw(const environment::Environment* environment, const Settings& settings,
                const std::function<void(float)>& progress) override
     {
         prepare(settings.texel_transfer);
-        const PreparedPicture prepared(scene_.lights, environment, settings);
+        const PreparedPicture prepared(scene_->lights, environment, settings);
         return draw_tiles({*prepared_, settings, prepared}, progress);
+    }
+
+    void pose(const scene::Scene& scene) override
+    {
+        scene_ = &scene;
+        stale_ = true;
     }
 
     Device device() const override
@@ -59,11 +65,14 @@ public:
 private:
     void prepare(TexelTransfer transfer)
     {
-        if (prepared_ && prepared_transfer_ == transfer)
-            return;
-        prepared_.reset();
-        prepared_.emplace(scene_, transfer);
-        prepared_transfer_ = transfer;
+        if (!prepared_ || prepared_transfer_ != transfer) {
+            prepared_.reset();
+            prepared_.emplace(first_, *scene_, transfer);
+            prepared_transfer_ = transfer;
+        } else if (stale_) {
+            prepared_->pose(*scene_);
+        }
+        stale_ = false;
     }
 
     static Frame draw_tiles(const Picture& picture, const std::function<void(float)>& report)
@@ -83,7 +92,9 @@ private:
         return frame;
     }
 
-    const scene::Scene& scene_;
+    const scene::Scene& first_; ///< has the images
+    const scene::Scene* scene_; ///< as it is drawn
+    bool stale_ = false;        ///< whether another was prepared
     std::optional<PreparedScene> prepared_;
     TexelTransfer prepared_transfer_ = TexelTransfer::srgb;
 };

@@ -59,6 +59,7 @@ enum Column : std::size_t {
     reflected_r,
     reflected_g,
     reflected_b,
+    middle_level, ///< where layers are asked for: of the mips read in the lobe's middle, as a part of the highest
     column_count
 };
 

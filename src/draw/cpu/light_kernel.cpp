@@ -24,6 +24,7 @@ struct Environment {
     CubeSums* sums;
     float scale;    // of the chain
     float variance; // of its level 1
+    int levels;     // of the chain
     const environment::Lamps* lamps;
     float lamp_variances[2];
     const environment::Panorama* mips;
@@ -215,28 +216,55 @@ void add_ambient(const LightContext& c, size_t at, Fragments& f)
     store3(ambient_light(diffuse, irradiance, brightness), f, ambient_r, at);
 }
 
-void add_specular(const LightContext& c, const Environment& e, size_t at, Fragments& f)
+Mirror mirror_at(const LightContext& c, const Fragments& f, size_t at)
+{
+    const vec3 N = turned(c, load3(f, shading_x, at)), V = turned(c, load3(f, view_x, at));
+    const Real alpha = load(f[gloss] + at);
+    Mirror mirror = {N,
+                     V,
+                     turned(c, uniform(c.across)),
+                     alpha,
+                     turned(c, load3(f, mirrored_dx_x, at)),
+                     turned(c, load3(f, mirrored_dy_x, at)),
+                     albedo_of(dot(N, V), alpha)};
+    return mirror;
+}
+
+void add_specular_phong(const LightContext& c, const Environment& e, size_t at, Fragments& f)
 {
     const vec3 N = turned(c, load3(f, shading_x, at)), V = turned(c, load3(f, view_x, at));
     const vec3 across = turned(c, uniform(c.across));
-    if (c.model == Model::phong) {
-        const Phong p = phong_at(f, at);
-        store3(c.mip_level == MipLevel::report ? specular_phong_report(e, p, N, V, across)
-                                               : specular_phong(e, p, N, V, across),
-               f, reflected_r, at);
-        return;
-    }
-    const Metallic m = metallic_at(c, f, at);
-    const Mirror mirror = {N,
-                           V,
-                           across,
-                           m.alpha,
-                           turned(c, load3(f, mirrored_dx_x, at)),
-                           turned(c, load3(f, mirrored_dy_x, at)),
-                           albedo_of(dot(N, V), m.alpha)};
+    const Phong p = phong_at(f, at);
+    store3(c.mip_level == MipLevel::report ? specular_phong_report(e, p, N, V, across)
+                                           : specular_phong(e, p, N, V, across),
+           f, reflected_r, at);
+}
+
+void add_specular_ggx(const LightContext& c, const Environment& e, size_t at, Fragments& f)
+{
+    const Mirror mirror = mirror_at(c, f, at);
     const LobeLight light = specular_ggx(e, mirror);
-    const Reflectance r = reflectance_metallic(m, mirror.albedo);
+    const Reflectance r = reflectance_metallic(metallic_at(c, f, at), mirror.albedo);
     store3(r.plain * light.plain + r.grazing * light.grazing, f, reflected_r, at);
+}
+
+void add_specular(const LightContext& c, const Environment& e, size_t at, Fragments& f)
+{
+    if (c.model == Model::phong)
+        add_specular_phong(c, e, at, f);
+    else
+        add_specular_ggx(c, e, at, f);
+}
+
+// What these read in the lobe's middle, as a part of the levels that there are.
+void find_middle_level(const LightContext& c, const Environment& e, size_t at, Fragments& f)
+{
+    const Real exponent = load(f[gloss] + at);
+    const bool report = c.model == Model::phong && c.mip_level == MipLevel::report;
+    const Real level = c.model == Model::ggx ? middle_level_ggx(e, mirror_at(c, f, at))
+                       : report              ? middle_level_report(e, exponent)
+                                             : middle_level_phong(e, exponent);
+    store(part_of_levels(level, Real((report ? e.mip_levels : e.levels) - 1)), f[middle_level] + at);
 }
 
 Environment environment_of(const LightContext& c, CubeSums& sums)
@@ -247,6 +275,7 @@ Environment environment_of(const LightContext& c, CubeSums& sums)
     e.sums = &sums;
     e.scale = chain.scale;
     e.variance = deviation * deviation;
+    e.levels = chain.levels;
     e.lamps = &c.environment->lamps;
     for (int i = 0; i < 2; ++i)
         e.lamp_variances[i] = environment::level_variance(chain, e.lamps->last_level + i);
@@ -300,6 +329,9 @@ HWY_FLATTEN void light_specularly(const LightContext& context, size_t begin, siz
     const Environment environment = environment_of(context, sums);
     for (size_t at = begin; at < end; at += lane_count)
         add_specular(context, environment, at, fragments);
+    if (context.middle_level)
+        for (size_t at = begin; at < end; at += lane_count)
+            find_middle_level(context, environment, at, fragments);
 }
 
 HWY_FLATTEN void light_background(const LightContext& context, const RayMap& rays, const BackgroundRow& row,

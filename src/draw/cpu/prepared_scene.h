@@ -6,6 +6,7 @@
 #include "trace/visibility.h"
 #include "scene/scene.h"
 
+#include <optional>
 #include <vector>
 
 namespace lambent::draw {
@@ -14,10 +15,14 @@ using trace::Visibility;
 
 class PreparedScene {
 public:
-    /// The scene must outlive it.
-    PreparedScene(const scene::Scene& scene, TexelTransfer transfer);
+    /// `posed` is the scene or it at another moment, whose images are not looked at. Both must outlive it.
+    PreparedScene(const scene::Scene& scene, const scene::Scene& posed, TexelTransfer transfer);
 
-    const Visibility& visibility() const { return visibility_; }
+    /// Goes on to another moment; textures stay. The scene must outlive it. Throws Error(no_device), and must then be
+    /// posed again before it is drawn.
+    void pose(const scene::Scene& posed);
+
+    const Visibility& visibility() const { return *visibility_; }
 
     /// What the surfaces of an instance share; rays and model are left to the caller.
     const SurfaceContext& surface(std::uint32_t instance) const { return surfaces_[instance]; }
@@ -26,8 +31,8 @@ public:
     bool culls_back(std::uint32_t instance) const { return !surfaces_[instance].material->double_sided; }
 
 private:
-    Visibility visibility_;
     SceneTextures textures_;
+    std::optional<Visibility> visibility_;
     std::vector<SurfaceContext> surfaces_;
 };
 

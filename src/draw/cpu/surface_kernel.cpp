@@ -183,7 +183,7 @@ Material material_at(const SurfaceContext& c, const Fragments& f, size_t at, con
     const Color occlusion = t.read(c.textures.occlusion, m.occlusion_texture, 1.0);
     const Color emitted = t.read(c.textures.emissive, m.emissive_texture, 1.0);
     return {base, clamp(rough.b * Real(m.metallic), 0.0, 1.0),
-            clamp(rough.g * Real(m.perceptual_roughness), 0.0, 1.0),
+            c.roughness ? Real(*c.roughness) : clamp(rough.g * Real(m.perceptual_roughness), 0.0, 1.0),
             1.0 + Real(m.occlusion_strength) * (occlusion.r - 1.0),
             uniform(m.emissive) * vec3(emitted.r, emitted.g, emitted.b)};
 }

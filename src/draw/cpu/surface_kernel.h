@@ -9,6 +9,8 @@
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 
+#include <optional>
+
 namespace lambent::draw {
 
 /// What all fragments of a group share.
@@ -21,6 +23,7 @@ struct SurfaceContext {
     glm::mat4 transform{1.0f}; ///< world from mesh
     glm::mat3 normals{1.0f};   ///< world from mesh for normals, up to length; keeps what is outside outside
     float handedness = 1.0f;   ///< -1 where the transform mirrors
+    std::optional<float> roughness; ///< perceptual, instead of the material's
 };
 
 /// Fills the surface columns, `opacity` and `emitted_*` of the fragments [begin, end), multiples of

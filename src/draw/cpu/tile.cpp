@@ -259,6 +259,7 @@ void TileDrawer::find_group(const Fragments::Group& group)
     SurfaceContext context = picture_.scene.surface(group.instance);
     context.rays = picture_.prepared.rays;
     context.model = picture_.settings.model;
+    context.roughness = picture_.settings.roughness_override;
     find_surfaces(context, group.begin, group.end, fragments_);
 }
 
@@ -335,6 +336,12 @@ void TileDrawer::resolve(Frame& frame, const TileArea& area)
         return glm::vec3(fragments_[first][at], fragments_[Column(first + 1)][at],
                          fragments_[Column(first + 2)][at]);
     };
+    const auto layer_value = [&](const LayerSource& source, std::size_t at) {
+        if (source.reading == Reading::three)
+            return three(source.first, at);
+        const float value = fragments_[source.first][at];
+        return glm::vec3(source.reading == Reading::root ? std::sqrt(value) : value);
+    };
     for (const Fragments::Group& group : fragments_.groups) {
         const scene::Material& material = *picture_.scene.surface(group.instance).material;
         for (std::size_t at = group.begin; at < group.end; ++at) {
@@ -345,11 +352,8 @@ void TileDrawer::resolve(Frame& frame, const TileArea& area)
             const glm::ivec2 place(area.x + pixel % area.width, area.y + pixel / area.width);
             add(frame.radiance, place, weight,
                 three(emitted_r, at) + three(direct_r, at) + three(ambient_r, at) + three(reflected_r, at));
-            for (std::size_t i = 0; i < sources.size(); ++i) {
-                const LayerSource& source = sources[i];
-                add(frame.layers[i].image, place, weight,
-                    source.is_vector ? three(source.first, at) : glm::vec3(fragments_[source.first][at]));
-            }
+            for (std::size_t i = 0; i < sources.size(); ++i)
+                add(frame.layers[i].image, place, weight, layer_value(sources[i], at));
         }
     }
 }

@@ -98,7 +98,8 @@ void main()
     uint first = surfaces > 0u ? add_fragments(surfaces) : 0u;
     bool fits = first + surfaces <= uint(picture.fragments.x);
     spans[index] = uvec4(first, fits ? surfaces : 0u, floatBitsToUint(background), 0u);
-    for (int look = 0; fits && look < looks; ++look) {
+    // Those that half fit are written as far as there is room: they are shaded before all is drawn again in parts.
+    for (int look = 0; look < looks && first < uint(picture.fragments.x); ++look) {
         if (owner[look] != look)
             continue;
         int lit = best[look];

@@ -143,26 +143,51 @@ void add_ambient(uint at)
     store3(ambient_light(diffuse, irradiance, picture.rotation.z * load(column_occlusion, at)), column_ambient, at);
 }
 
-void add_specular(uint at)
+Mirror mirror_at(uint at)
 {
-    Environment e = Environment(picture.samples.x, picture.fragments.w);
+    vec3 N = turned(load3(column_normal, at));
+    vec3 V = turned(load3(column_view, at));
+    float alpha = load(column_gloss, at);
+    return Mirror(N, V, turned(picture.across.xyz), alpha, turned(load3(column_mirrored_dx, at)),
+                  turned(load3(column_mirrored_dy, at)), albedo_of(dot(N, V), alpha));
+}
+
+vec3 reflected_phong(Environment e, uint at)
+{
     vec3 N = turned(load3(column_normal, at));
     vec3 V = turned(load3(column_view, at));
     vec3 across = turned(picture.across.xyz);
-    if (model == model_phong) {
-        Phong p = phong_at(at);
-        if (levels == levels_report)
-            store3(specular_phong_report(e, p, N, V, across), column_reflected, at);
-        else
-            store3(specular_phong(e, p, N, V, across), column_reflected, at);
-        return;
-    }
-    Metallic m = metallic_at(at);
-    Mirror mirror = Mirror(N, V, across, m.alpha, turned(load3(column_mirrored_dx, at)),
-                           turned(load3(column_mirrored_dy, at)), albedo_of(dot(N, V), m.alpha));
+    Phong p = phong_at(at);
+    if (levels == levels_report)
+        return specular_phong_report(e, p, N, V, across);
+    return specular_phong(e, p, N, V, across);
+}
+
+vec3 reflected_ggx(Environment e, uint at)
+{
+    Mirror mirror = mirror_at(at);
     LobeLight light = specular_ggx(e, mirror);
-    Reflectance r = reflectance_metallic(m, mirror.albedo);
-    store3(r.plain * light.plain + r.grazing * light.grazing, column_reflected, at);
+    Reflectance r = reflectance_metallic(metallic_at(at), mirror.albedo);
+    return r.plain * light.plain + r.grazing * light.grazing;
+}
+
+// What these read in the lobe's middle, as a part of the levels that there are.
+float middle_level(Environment e, uint at)
+{
+    float exponent = load(column_gloss, at);
+    if (model == model_ggx)
+        return part_of_levels(middle_level_ggx(e, mirror_at(at)), float(textureQueryLevels(chain) - 1));
+    if (levels == levels_report)
+        return part_of_levels(middle_level_report(e, exponent), float(textureQueryLevels(mips) - 1));
+    return part_of_levels(middle_level_phong(e, exponent), float(textureQueryLevels(chain) - 1));
+}
+
+void add_specular(uint at)
+{
+    Environment e = Environment(picture.samples.x, picture.fragments.w);
+    store3(model == model_phong ? reflected_phong(e, at) : reflected_ggx(e, at), column_reflected, at);
+    if (picture.samples.z > 0) // layers
+        store(middle_level(e, at), column_middle_level, at);
 }
 
 void main()

@@ -19,17 +19,28 @@ struct ColumnPair {
     int there;
 };
 
-constexpr ColumnPair columns[] = {
-    {base_r, column_base},         {specular_r, column_specular},     {gloss, column_gloss},
-    {metalness, column_metalness}, {shading_x, column_normal},        {depth, column_depth},
-    {occlusion, column_occlusion}, {irradiance_r, column_irradiance}, {emitted_r, column_emitted},
-    {direct_r, column_direct},     {ambient_r, column_ambient},       {reflected_r, column_reflected}};
+constexpr ColumnPair columns[] = {{base_r, column_base},
+                                  {specular_r, column_specular},
+                                  {gloss, column_gloss},
+                                  {metalness, column_metalness},
+                                  {shading_x, column_normal},
+                                  {depth, column_depth},
+                                  {occlusion, column_occlusion},
+                                  {irradiance_r, column_irradiance},
+                                  {emitted_r, column_emitted},
+                                  {direct_r, column_direct},
+                                  {ambient_r, column_ambient},
+                                  {reflected_r, column_reflected},
+                                  {middle_level, column_middle_level}};
 
 int layer_code(const LayerSource& source)
 {
+    static_assert(static_cast<int>(Reading::one) == read_one &&
+                  static_cast<int>(Reading::three) == read_three &&
+                  static_cast<int>(Reading::root) == read_root);
     const auto* const found = std::find_if(std::begin(columns), std::end(columns),
                                            [&](const ColumnPair& pair) { return pair.here == source.first; });
-    return 2 * found->there + (source.is_vector ? 1 : 0);
+    return 4 * found->there + static_cast<int>(source.reading);
 }
 
 void describe_layers(const Settings& settings, PictureRecord& record)
@@ -89,6 +100,7 @@ PicturePasses::PicturePasses(const DeviceTools& tools, const PreparedPicture& pi
     describe_rays(picture.rays, record_);
     describe_layers(picture.settings, record_);
     record_.fragments.x = static_cast<int>(tools.tile.shape().capacity);
+    record_.surfaces.x = picture.settings.roughness_override.value_or(-1.0f);
     record_.edges = {picture.edges.bend_cosine, picture.edges.shared_cosine, picture.edges.extent, 0.0f};
     const VkDeviceAddress geometry = tools.scene.geometry().address();
     record_.addresses.x = static_cast<uint>(geometry);

@@ -28,7 +28,11 @@ vec3 picture_light(uint at)
 vec3 layer_value(int layer, uint at)
 {
     int source = picture.layers[layer / 4][layer % 4];
-    return (source & 1) == 1 ? load3(source >> 1, at) : vec3(load(source >> 1, at));
+    int column = source >> 2;
+    if ((source & 3) == read_three)
+        return load3(column, at);
+    float value = load(column, at);
+    return vec3((source & 3) == read_root ? sqrt(value) : value);
 }
 
 void go_on_behind(FragmentRecord record, uint at, float left)

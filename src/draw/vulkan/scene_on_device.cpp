@@ -103,14 +103,25 @@ TextureRecord texture_record(const PackedTexture& texture, VkDeviceAddress addre
 
 } // namespace
 
-SceneOnDevice::SceneOnDevice(const vulkan::Device& device, const scene::Scene& scene, TexelTransfer transfer)
+SceneOnDevice::SceneOnDevice(const vulkan::Device& device, const scene::Scene& scene,
+                             const scene::Scene& posed, TexelTransfer transfer)
 {
     const SceneTextures textures(scene, transfer);
-    place_geometry(device, scene);
-    place_instances(device, scene);
     place_materials(device, scene, textures);
     place_textures(device, textures);
-    plan_draws(device, scene);
+    pose(device, posed);
+}
+
+void SceneOnDevice::pose(const vulkan::Device& device, const scene::Scene& posed)
+{
+    for (std::optional<vulkan::Buffer>* buffer :
+         {&geometry_, &positions_, &indices_, &instances_, &meshes_, &draws_})
+        buffer->reset(); // before the next take memory
+    batches_.clear();
+    transparent_ = false;
+    place_geometry(device, posed);
+    place_instances(device, posed);
+    plan_draws(device, posed);
 }
 
 // Positions once more by themselves: the vertices of the raster passes.

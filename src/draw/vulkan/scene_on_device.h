@@ -12,8 +12,14 @@ namespace lambent::draw {
 /// Triangles, materials and textures, and the draws that show them all. Throws Error(no_device).
 class SceneOnDevice {
 public:
-    /// The device must outlive it; the scene need not. `transfer`: of colours.
-    SceneOnDevice(const vulkan::Device& device, const scene::Scene& scene, TexelTransfer transfer);
+    /// `posed` is the scene or it at another moment, whose images are not looked at. The device must outlive it; the
+    /// scenes need not. `transfer`: of colours.
+    SceneOnDevice(const vulkan::Device& device, const scene::Scene& scene, const scene::Scene& posed,
+                  TexelTransfer transfer);
+
+    /// Goes on to another moment; materials and textures stay. Nothing may be drawing. Throws Error(no_device), and
+    /// must then be posed again before it is drawn.
+    void pose(const vulkan::Device& device, const scene::Scene& posed);
 
     const vulkan::Buffer& geometry() const { return *geometry_; } ///< words, read by address
     const vulkan::Buffer& positions() const { return *positions_; }

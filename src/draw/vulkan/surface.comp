@@ -94,7 +94,9 @@ void store_material(uint material, Place p, vec4 read[use_count], uint at)
         base *= fours_at(p, p.mesh.vectors.w);
     vec4 numbers = materials[material].numbers;
     float metalness = clamp(read[use_metallic_roughness].b * numbers.x, 0.0, 1.0);
-    float roughness = clamp(read[use_metallic_roughness].g * numbers.y, 0.0, 1.0);
+    float roughness = picture.surfaces.x;
+    if (roughness < 0.0)
+        roughness = clamp(read[use_metallic_roughness].g * numbers.y, 0.0, 1.0);
     ivec4 kind = materials[material].kind;
     store(metalness, column_metalness, at);
     store(1.0 + numbers.z * (read[use_occlusion].r - 1.0), column_occlusion, at);

@@ -11,7 +11,7 @@ namespace {
 class OnDevice : public VulkanRenderer {
 public:
     OnDevice(const scene::Scene& scene, const VulkanOptions& options)
-        : scene_(scene), bounds_(scene::bounds(scene)), instance_(options.validation),
+        : first_(scene), scene_(&scene), bounds_(scene::bounds(scene)), instance_(options.validation),
           device_(instance_,
                   vulkan::choose(instance_.devices(),
                                  options.software ? vulkan::Choice::any : vulkan::Choice::hardware)),
@@ -25,7 +25,7 @@ public:
                const std::function<void(float)>& progress) override
     {
         Frame frame = blank_frame(settings);
-        const PreparedPicture picture(scene_.lights, environment, settings);
+        const PreparedPicture picture(scene_->lights, environment, settings);
         prepare(picture, static_cast<int>(frame.layers.size()));
         PicturePasses passes({device_, *layout_, *prepared_, *tile_, *passes_}, picture, bounds_);
         const TileShape& shape = tile_->shape();
@@ -46,6 +46,12 @@ public:
         return frame;
     }
 
+    void pose(const scene::Scene& scene) override
+    {
+        scene_ = &scene;
+        stale_ = true;
+    }
+
     Device device() const override { return {"vulkan", device_.name()}; }
 
     std::vector<std::string> complaints() const override { return instance_.complaints(); }
@@ -55,13 +61,18 @@ private:
     void prepare(const PreparedPicture& picture, int layers)
     {
         const Settings& settings = picture.settings;
+        if (stale_)
+            bounds_ = scene::bounds(*scene_);
         if (!prepared_ || prepared_transfer_ != settings.texel_transfer) {
             prepared_.reset();
-            prepared_.emplace(device_, scene_, settings.texel_transfer);
+            prepared_.emplace(device_, first_, *scene_, settings.texel_transfer);
             prepared_transfer_ = settings.texel_transfer;
+        } else if (stale_) {
+            prepared_->pose(device_, *scene_);
         }
+        stale_ = false;
         const PassChoice choice = {static_cast<int>(look_places(picture.edges).size()), settings.model,
-                                   settings.mip_level, !scene_.images.empty(), prepared_->transparent()};
+                                   settings.mip_level, !first_.images.empty(), prepared_->transparent()};
         if (!passes_ || passes_->choice() != choice) {
             passes_.reset();
             passes_.emplace(cache_, *layout_, choice);
@@ -73,7 +84,9 @@ private:
         }
     }
 
-    const scene::Scene& scene_;
+    const scene::Scene& first_; ///< has the images
+    const scene::Scene* scene_; ///< as it is drawn
+    bool stale_ = false;        ///< whether another was prepared
     scene::Bounds bounds_;
     vulkan::Instance instance_;
     vulkan::Device device_;

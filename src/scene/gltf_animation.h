@@ -1,0 +1,42 @@
+// The animations of a glTF, and where they have its nodes at a moment.
+#pragma once
+
+#include "scene/gltf.h"
+#include "scene/gltf_curve.h"
+#include "scene/gltf_document.h"
+#include "scene/gltf_nodes.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lambent::scene {
+
+enum class Animated : std::uint8_t { translation, rotation, scale, weights };
+
+/// One property of a node over time.
+struct Track {
+    int node = 0; ///< of the file
+    Animated property = Animated::translation;
+    Curve curve;
+};
+
+struct Animation {
+    AnimationInfo info;
+    std::vector<Track> tracks;
+};
+
+/// Reads every animation of the file. Channels that move nothing that is known are left out with a warning.
+/// Throws Error(bad_input) naming the animation and the channel or sampler: for indices that do not exist, times
+/// that do not ascend, counts that do not fit, values that are not finite, and for more keys than a file of its
+/// size may have.
+std::vector<Animation> read_animations(const Document& document, Warnings& warnings);
+
+/// Where the nodes are at a moment; none: as the file has them. Holds all nodes that any of the animations moves,
+/// whatever the moment. Seconds are clamped to the animation's. Throws Error(usage) for an animation that is not there.
+Pose pose_of(const Document& document, std::span<const Animation> animations,
+             const std::optional<Moment>& moment);
+
+} // namespace lambent::scene
