@@ -47,18 +47,23 @@ TEST_F(ViewWindow, SignalsEndItAsClosingDoes)
 
 TEST_F(ViewWindow, WhatCannotBeSavedIsSaidBeforeTheEnd)
 {
-    open({"sphere"});
-    look();
-    std::filesystem::permissions(path("."),
-                                 std::filesystem::perms::owner_exec | std::filesystem::perms::owner_read);
-    const bool is_bound = !std::ofstream(path("probe")); // root is not
-    if (is_bound) {
-        act({"key", "s", "key", "ctrl+q"});
-        EXPECT_EQ(program_->wait(3.0), -1); // the window stays
+    for (const bool by_signal : {false, true}) {
+        std::filesystem::create_directory(path("gone"));
+        open({"sphere"}, "gone");
+        look();
+        std::filesystem::remove(path("gone"));
+        act({"key", "s", "sleep", "0.01"});
+        if (by_signal) {
+            look();
+            program_->signal(SIGTERM); // what failed before was said before
+            EXPECT_EQ(program_->wait(30.0), 0) << log();
+            continue;
+        }
+        press("ctrl+q");
+        EXPECT_EQ(program_->wait(2.0), -1); // the window stays
         EXPECT_GT(look().redness(message_area), 0.005);
+        expect_end();
     }
-    std::filesystem::permissions(path("."), std::filesystem::perms::owner_all);
-    expect_end();
 }
 
 TEST_F(ViewWindow, ItsPlaceIsRemembered)

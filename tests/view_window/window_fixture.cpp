@@ -26,10 +26,10 @@ void ViewWindow::SetUpWith(const std::string& more)
 }
 
 // Drivers keep some memory to the end of the program.
-void ViewWindow::start(const std::vector<std::string>& words)
+void ViewWindow::start(const std::vector<std::string>& words, const std::string& folder)
 {
     std::vector<std::string> all = {"env",
-                                    text("--chdir=", path(".")),
+                                    text("--chdir=", path(folder)),
                                     text("DISPLAY=", desktop_->display()),
                                     text("XDG_CONFIG_HOME=", path("config")),
                                     text("XDG_CACHE_HOME=", cache_home()),
@@ -40,9 +40,9 @@ void ViewWindow::start(const std::vector<std::string>& words)
     program_ = std::make_unique<Running>(all, path("view.log"));
 }
 
-void ViewWindow::open(const std::vector<std::string>& words)
+void ViewWindow::open(const std::vector<std::string>& words, const std::string& folder)
 {
-    start(words);
+    start(words, folder);
     ASSERT_TRUE(desktop_->act({"search", "--sync", "--onlyvisible", "--name", "lambent"})) << log();
     act({"search", "--name", "lambent", "windowfocus"});
 }

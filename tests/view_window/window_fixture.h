@@ -20,8 +20,8 @@ struct Spot {
     int x, y;
 };
 constexpr Spot model_list = {1050, 40}, path_field = {980, 90}, open_button = {1135, 90},
-               exposure = {1070, 165}, exposure_more = {1085, 165}, add_sun = {968, 636},
-               add_lamp = {1060, 636};
+               add_sun = {968, 162}, add_lamp = {1060, 162}, exposure = {1070, 212},
+               exposure_more = {1085, 212};
 
 std::string contents(const std::string& path);
 
@@ -30,10 +30,10 @@ protected:
     void SetUp() override { SetUpWith(""); }
     void SetUpWith(const std::string& more);
 
-    /// The program's words after "view". Its folder is the desktop's, and so are its settings.
-    void start(const std::vector<std::string>& words);
+    /// The program's words after "view". Its settings are in the desktop's folder, and it runs there or in one below.
+    void start(const std::vector<std::string>& words, const std::string& folder = ".");
     /// And waits until its window is there and has the keys.
-    void open(const std::vector<std::string>& words);
+    void open(const std::vector<std::string>& words, const std::string& folder = ".");
 
     void act(const std::vector<std::string>& words) const;
     void press(const char* key) const { act({"key", key}); }

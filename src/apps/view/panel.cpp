@@ -164,8 +164,8 @@ Pressed Panels::show_panel(viewer::Session& session, const Shown& shown)
             pressed.opening = opening;
             for (const std::string& warning : shown.warnings)
                 wrapped(text("Warning: ", warning), yellow);
-            show_controls(session, wish.values, scene::is_builtin(wish.scene));
             lights_.show(session, wish.lights);
+            show_controls(session, wish.values, scene::is_builtin(wish.scene));
         } catch (const Error& error) {
             pressed.refusal = error.what();
         }
