@@ -129,7 +129,7 @@ int main()
     viewer::Desk desk(stock);
     serve::ServerOptions options;
     options.port = 0;
-    serve::Server server(options, start, serve::FileList({}), stock, desk);
+    serve::Server server(options, start, viewer::FileList({}), stock, desk);
     std::thread thread([&] { server.run(); });
     std::uint64_t id = 0;
     {

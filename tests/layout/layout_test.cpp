@@ -36,8 +36,8 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"compare", {"base", "image", "equations"}},
     {"api", {"base", "image", "environment", "lambent"}}, // lambent/bake.h
     {"apps",
-     {"base", "image", "scene", "view", "trace", "environment", "draw", "reference", "display", "compare",
-      "kitchen"}},
+     {"base", "equations", "image", "scene", "view", "trace", "environment", "draw", "reference", "display",
+      "compare", "kitchen"}},
 };
 
 std::string folder_of(const fs::path& path)

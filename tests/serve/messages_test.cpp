@@ -21,7 +21,7 @@ struct Messages : ::testing::Test {
     viewer::Wish wish() { return session.wish(); }
 
     viewer::Stock stock{{.cache = false}};
-    FileList files{{}};
+    viewer::FileList files{{}};
     viewer::Session session{
         {"plane", "furnace", {}, viewer::first_eye("plane"), {}, 64, 64}, stock, std::make_shared<Nobody>()};
 };
@@ -97,7 +97,7 @@ TEST(Message, FramesBeginWithTheLengthOfTheirHeader)
 
 TEST(Message, TheHelloIsJson)
 {
-    const nlohmann::json hello = nlohmann::json::parse(serve::hello(FileList({})));
+    const nlohmann::json hello = nlohmann::json::parse(serve::hello(viewer::FileList({})));
     EXPECT_EQ(hello.at("parameters").size(), viewer::parameters().size());
     EXPECT_GT(hello.at("scenes").size(), 3u);
     EXPECT_EQ(nlohmann::json::parse(error_message("a\nb")).at("line"), "a?b");

@@ -28,7 +28,7 @@ viewer::Wish small_wish()
 // A server at a free port, which runs until its end.
 struct Running {
     explicit Running(const ServerOptions& options = quick())
-        : server(options, small_wish(), FileList({}), stock, desk), thread([this] { server.run(); })
+        : server(options, small_wish(), viewer::FileList({}), stock, desk), thread([this] { server.run(); })
     {
     }
     Running(const Running&) = delete;
@@ -295,13 +295,13 @@ TEST(Server, SaysWhyItCannotListen)
     viewer::Desk desk(stock);
     ServerOptions options = Running::quick();
     options.host = "nonsense";
-    EXPECT_THROW(Server(options, small_wish(), FileList({}), stock, desk), Error);
+    EXPECT_THROW(Server(options, small_wish(), viewer::FileList({}), stock, desk), Error);
     EXPECT_TRUE(is_loopback("127.0.0.1") && is_loopback("::1") && is_loopback("localhost"));
     EXPECT_FALSE(is_loopback("0.0.0.0") || is_loopback("::") || is_loopback("192.168.0.1"));
     options.host = "127.0.0.1";
     options.port = running.server.port();
     try {
-        const Server second(options, small_wish(), FileList({}), stock, desk);
+        const Server second(options, small_wish(), viewer::FileList({}), stock, desk);
         ADD_FAILURE() << "two servers at one port";
     } catch (const Error& error) {
         EXPECT_EQ(error.failure(), Failure::no_device);

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -86,6 +87,11 @@ int Running::wait(double seconds)
     return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
+void Running::signal(int number) const
+{
+    kill(process_, number);
+}
+
 double Screenshot::mean(const Area& area) const
 {
     double sum = 0.0;
@@ -106,7 +112,18 @@ double Screenshot::difference(const Screenshot& other, const Area& area) const
     return sum / (3.0 * area.width * area.height);
 }
 
-std::unique_ptr<Desktop> Desktop::open(std::string& why)
+double Screenshot::redness(const Area& area) const
+{
+    int red = 0;
+    for (int y = area.y; y < area.y + area.height; ++y)
+        for (int x = area.x; x < area.x + area.width; ++x) {
+            const auto at = static_cast<std::size_t>(3 * (y * width + x));
+            red += rgb[at] > 180 && rgb[at] > rgb[at + 1] + 60 && rgb[at] > rgb[at + 2] + 60;
+        }
+    return red / (1.0 * area.width * area.height);
+}
+
+std::unique_ptr<Desktop> Desktop::open(std::string& why, const std::string& more)
 {
     for (const char* program : {"Xvfb", "xdotool"})
         if (!is_installed(program)) {
@@ -118,7 +135,7 @@ std::unique_ptr<Desktop> Desktop::open(std::string& why)
     // Xvfb chooses a free display and says which when it is ready; its screen is a file.
     desktop->server_ = std::make_unique<Running>(
         std::vector<std::string>{"sh", "-c",
-                                 text("exec Xvfb -displayfd 3 -screen 0 1280x800x24 -fbdir '",
+                                 text("exec Xvfb -displayfd 3 -screen 0 1280x800x24 ", more, " -fbdir '",
                                       desktop->folder_.path("."), "' 3> '", number, "'")},
         log);
     for (int i = 0; i < 500 && contents(number).find('\n') == std::string::npos; ++i)
@@ -140,20 +157,27 @@ bool Desktop::act(const std::vector<std::string>& words) const
 }
 
 // [X Window dump, XWDFile.h] The server keeps it in its own order of bytes, 32 bits a pixel.
-Screenshot Desktop::look() const
+Screenshot Desktop::look(int rows) const
 {
-    const std::string bytes = contents(folder_.path("Xvfb_screen0"));
+    std::ifstream file(folder_.path("Xvfb_screen0"), std::ios::binary);
+    std::string header(100, '\0');
     Screenshot shot;
-    if (bytes.size() < 100)
+    if (!file.read(header.data(), static_cast<std::streamsize>(header.size())))
         return shot;
-    shot.width = static_cast<int>(number(bytes, 4));
-    shot.height = static_cast<int>(number(bytes, 5));
-    const std::size_t start = number(bytes, 0) + 12 * number(bytes, 19), pitch = number(bytes, 12);
-    for (int y = 0; y < shot.height; ++y)
-        for (int x = 0; x < shot.width; ++x)
-            for (std::size_t c : {2u, 1u, 0u})
-                shot.rgb.push_back(static_cast<unsigned char>(bytes.at(
-                    start + static_cast<std::size_t>(y) * pitch + 4 * static_cast<std::size_t>(x) + c)));
+    shot.width = static_cast<int>(number(header, 4));
+    shot.height = std::min(static_cast<int>(number(header, 5)), rows);
+    const std::size_t start = number(header, 0) + 12 * number(header, 19), pitch = number(header, 12);
+    std::string bytes(pitch * static_cast<std::size_t>(shot.height), '\0');
+    file.seekg(static_cast<std::streamoff>(start));
+    file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    shot.rgb.resize(static_cast<std::size_t>(3 * shot.width * shot.height));
+    unsigned char* to = shot.rgb.data();
+    for (int y = 0; y < shot.height; ++y) {
+        const char* from = bytes.data() + static_cast<std::size_t>(y) * pitch;
+        for (int x = 0; x < shot.width; ++x, from += 4, to += 3)
+            for (int c = 0; c < 3; ++c)
+                to[c] = static_cast<unsigned char>(from[2 - c]);
+    }
     return shot;
 }
 

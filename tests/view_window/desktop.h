@@ -23,6 +23,8 @@ public:
     /// Waits until it ends; its exit code, 128 + n if a signal ended it, or -1 if it did not within the time.
     int wait(double seconds);
 
+    void signal(int number) const;
+
 private:
     pid_t process_ = -1;
 };
@@ -39,12 +41,14 @@ struct Screenshot {
     double mean(const Area& area) const;
     /// The mean of absolute differences.
     double difference(const Screenshot& other, const Area& area) const;
+    /// The share of pixels that are red enough to be meant.
+    double redness(const Area& area) const;
 };
 
 class Desktop {
 public:
-    /// Null where Xvfb or xdotool is missing; `why` then says which.
-    static std::unique_ptr<Desktop> open(std::string& why);
+    /// Null where Xvfb or xdotool is missing; `why` then says which. More words for Xvfb may be given.
+    static std::unique_ptr<Desktop> open(std::string& why, const std::string& more = "");
 
     const std::string& display() const { return display_; }
     const Folder& folder() const { return folder_; }
@@ -52,7 +56,8 @@ public:
     /// Calls xdotool; false if it failed.
     bool act(const std::vector<std::string>& words) const;
 
-    Screenshot look() const;
+    /// At most so many rows from the top.
+    Screenshot look(int rows = 65536) const;
 
     /// Looks until nothing has changed for a while, at most `seconds`.
     Screenshot look_at_rest(double seconds) const;

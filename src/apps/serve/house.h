@@ -13,7 +13,7 @@ namespace lambent::serve {
 struct House {
     ServerOptions options;
     viewer::Wish start;
-    FileList files;
+    viewer::FileList files;
     viewer::Stock& stock; ///< any thread
     viewer::Desk& desk;   ///< any thread
     Gate gate;

@@ -18,7 +18,7 @@ using viewer::Wish;
 struct Said {
     const json& message;
     viewer::Session& session;
-    const FileList& files;
+    const viewer::FileList& files;
     std::uint64_t id;
 
     double number(const char* name) const
@@ -147,7 +147,7 @@ std::string dumped(const nlohmann::ordered_json& message)
 
 } // namespace
 
-Heard hear(std::string_view message, viewer::Session& session, const FileList& files)
+Heard hear(std::string_view message, viewer::Session& session, const viewer::FileList& files)
 {
     const json parsed = json::parse(message, nullptr, false);
     if (!parsed.is_object())
@@ -169,7 +169,7 @@ Heard hear(std::string_view message, viewer::Session& session, const FileList& f
     return Heard::input;
 }
 
-std::string hello(const FileList& files)
+std::string hello(const viewer::FileList& files)
 {
     return dumped({{"type", "hello"},
                    {"parameters", viewer::to_json(viewer::parameters())},

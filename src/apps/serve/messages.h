@@ -1,7 +1,7 @@
 // What browsers say and are told, as text.
 #pragma once
 
-#include "apps/serve/file_list.h"
+#include "apps/viewer/file_list.h"
 #include "apps/viewer/session.h"
 
 #include <string>
@@ -23,10 +23,10 @@ public:
 
 /// Does what a message says: a JSON object with "do" and what that needs; docs/VIEWER.md lists them. Throws Malformed for
 /// what is no such object, Error(usage) for values that are refused.
-Heard hear(std::string_view message, viewer::Session& session, const FileList& files);
+Heard hear(std::string_view message, viewer::Session& session, const viewer::FileList& files);
 
 /// What a page needs at first: the parameters and the names that may be opened.
-std::string hello(const FileList& files);
+std::string hello(const viewer::FileList& files);
 
 /// {"type": "error", "line": ...}
 std::string error_message(const std::string& line);

@@ -5,28 +5,10 @@
 #include "apps/viewer/load_first.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "environment/builtin.h"
-#include "scene/builtin.h"
 
 #include <cstdio>
-#include <filesystem>
 
 namespace lambent::cli {
-namespace {
-
-// The folders of the files that were named: what viewers may open.
-std::vector<std::filesystem::path> folders(const RenderArguments& picture)
-{
-    std::vector<std::filesystem::path> folders;
-    if (!scene::is_builtin(picture.scene))
-        folders.push_back(std::filesystem::path(picture.scene).parent_path());
-    if (picture.environment != "none" && !environment::is_builtin(picture.environment))
-        folders.push_back(std::filesystem::path(picture.environment).parent_path());
-    return folders;
-}
-
-} // namespace
-
 void run(const ServeArguments& arguments)
 {
     if (!serve::is_loopback(arguments.host) && arguments.token.empty())
@@ -41,7 +23,7 @@ void run(const ServeArguments& arguments)
     viewer::Desk desk(stock);
     serve::ServerOptions options{arguments.host, arguments.port, arguments.token, {}};
     options.limits.sessions = arguments.sessions;
-    serve::Server server(options, start, serve::FileList(folders(picture)), stock, desk);
+    serve::Server server(options, start, viewer::FileList(viewer::folders_named(picture)), stock, desk);
     server.stop_on_signals();
     std::printf("%s\n", server.url().c_str());
     if (std::fflush(stdout) != 0)

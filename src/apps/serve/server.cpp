@@ -54,7 +54,8 @@ bool is_loopback(const std::string& host)
 
 class Server::Impl {
 public:
-    Impl(ServerOptions options, viewer::Wish start, FileList files, viewer::Stock& stock, viewer::Desk& desk)
+    Impl(ServerOptions options, viewer::Wish start, viewer::FileList files, viewer::Stock& stock,
+         viewer::Desk& desk)
         : house_(new House{std::move(options), std::move(start), std::move(files), stock, desk, {}}),
           acceptor_(context_), pause_(context_)
     {
@@ -126,7 +127,7 @@ private:
     std::optional<asio::signal_set> signals_;
 };
 
-Server::Server(ServerOptions options, viewer::Wish start, FileList files, viewer::Stock& stock,
+Server::Server(ServerOptions options, viewer::Wish start, viewer::FileList files, viewer::Stock& stock,
                viewer::Desk& desk)
     : impl_(std::make_unique<Impl>(std::move(options), std::move(start), std::move(files), stock, desk))
 {

@@ -1,7 +1,7 @@
 // The viewer over HTTP and WebSocket.
 #pragma once
 
-#include "apps/serve/file_list.h"
+#include "apps/viewer/file_list.h"
 #include "apps/viewer/desk.h"
 
 #include <cstdint>
@@ -37,7 +37,7 @@ public:
     /// Listens. `start` is what each viewer sees first. The stock and the desk must outlive it; the desk is stopped at
     /// its end.
     /// Throws Error(usage) for a host that is no address, Error(no_device) if the port cannot be had.
-    Server(ServerOptions options, viewer::Wish start, FileList files, viewer::Stock& stock,
+    Server(ServerOptions options, viewer::Wish start, viewer::FileList files, viewer::Stock& stock,
            viewer::Desk& desk);
     Server(const Server&) = delete;
     Server& operator=(const Server&) = delete;

@@ -1,12 +1,12 @@
 #include "apps/view/controls.h"
 
+#include "apps/viewer/light_words.h"
 #include "base/text.h"
 
 #include <imgui.h>
 
 #include <array>
 #include <cstdio>
-#include <cstring>
 #include <optional>
 #include <sstream>
 
@@ -53,15 +53,20 @@ Moved choice(const Parameter& row, const std::string& label, const std::string& 
     return moved;
 }
 
+// Words are linear, the picker is not.
 Moved color(const std::string& label, const std::string& word)
 {
-    std::array<float, 3> rgb = {0.5f, 0.5f, 0.5f};
-    std::sscanf(word.c_str(), "%f,%f,%f", &rgb[0], &rgb[1], &rgb[2]);
-    if (!ImGui::ColorEdit3(label.c_str(), rgb.data(), ImGuiColorEditFlags_Float))
+    std::array<double, 3> linear = {0.2, 0.2, 0.2};
+    std::sscanf(word.c_str(), "%lf,%lf,%lf", &linear[0], &linear[1], &linear[2]);
+    const std::array<double, 3> screen = viewer::screen_color(linear);
+    std::array<float, 3> rgb = {static_cast<float>(screen[0]), static_cast<float>(screen[1]),
+                                static_cast<float>(screen[2])};
+    if (!ImGui::ColorEdit3(label.c_str(), rgb.data()))
         return std::nullopt;
-    return text(viewer::number_word(static_cast<double>(rgb[0])), ",",
-                viewer::number_word(static_cast<double>(rgb[1])), ",",
-                viewer::number_word(static_cast<double>(rgb[2])));
+    linear = viewer::linear_color(
+        {static_cast<double>(rgb[0]), static_cast<double>(rgb[1]), static_cast<double>(rgb[2])});
+    return text(viewer::number_word(linear[0]), ",", viewer::number_word(linear[1]), ",",
+                viewer::number_word(linear[2]));
 }
 
 // Takes a value away from a row that need not have one.
@@ -108,48 +113,14 @@ void show_controls(Session& session, const viewer::Values& values, bool built_in
         }
         if (!open || !values.applies(row, built_in))
             continue;
-        if (const Moved moved = control(row, values[row.name]))
+        Moved moved = control(row, values[row.name]);
+        if (ImGui::IsItemClicked(ImGuiMouseButton_Right))
+            moved = std::string(row.usual);
+        if (moved)
             set(session, row, *moved);
         else if (const Moved nothing = unset(row, values[row.name]))
             set(session, row, *nothing);
     }
-}
-
-void show_lights(Session& session, const std::vector<std::string>& lights)
-{
-    if (!ImGui::CollapsingHeader("Lights", ImGuiTreeNodeFlags_DefaultOpen))
-        return;
-    std::vector<std::string> changed = lights;
-    bool is_changed = false;
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-        ImGui::PushID(static_cast<int>(i));
-        std::array<char, 128> words{};
-        std::snprintf(words.data(), words.size(), "%s", lights[i].c_str());
-        ImGui::SetNextItemWidth(-40.0f);
-        if (ImGui::InputText("##light", words.data(), words.size(), ImGuiInputTextFlags_EnterReturnsTrue)) {
-            changed[i] = words.data();
-            is_changed = true;
-        }
-        ImGui::SameLine();
-        const bool taken = ImGui::SmallButton("x");
-        ImGui::PopID();
-        if (taken) {
-            changed.erase(changed.begin() + static_cast<std::ptrdiff_t>(i));
-            is_changed = true;
-            break;
-        }
-    }
-    const auto add = [&](const char* button, const char* words) {
-        if (lights.size() < viewer::most_lights && ImGui::SmallButton(button)) {
-            changed.emplace_back(words);
-            is_changed = true;
-        }
-    };
-    add("a sun", "directional:45,45,3,3,3");
-    ImGui::SameLine();
-    add("a lamp", "point:1,2,2,10,10,10");
-    if (is_changed)
-        session.change(0, [&](Wish& wish, const Eye::World&) { viewer::set_lights(wish, changed); });
 }
 
 } // namespace lambent::view_window

@@ -6,11 +6,8 @@
 
 namespace lambent::view_window {
 
-/// A control for each row of the table, under the names of its groups. What is moved is set at once. `built_in`: whether
+/// A control for each row of the table, under the names of its groups. What is moved is set at once; a right click sets the default. `built_in`: whether
 /// the scene is one of the built-in shapes. Throws Error(usage) where a value is refused.
 void show_controls(viewer::Session& session, const viewer::Values& values, bool built_in);
-
-/// Lights as words, one of them with a button that takes it away; and buttons for more.
-void show_lights(viewer::Session& session, const std::vector<std::string>& lights);
 
 } // namespace lambent::view_window

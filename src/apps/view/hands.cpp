@@ -4,12 +4,14 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace lambent::view_window {
 namespace {
 
 using viewer::Eye, viewer::Session, viewer::Wish;
+using Key = Window::Key;
 
 // A drag over the window's height.
 constexpr double degrees_across = 180.0;
@@ -50,9 +52,136 @@ void expose(Session& session, double factor)
     });
 }
 
+void by_arrow(Session& session, const Key& key, Asked&)
+{
+    const int x = (key.key == GLFW_KEY_RIGHT) - (key.key == GLFW_KEY_LEFT),
+              y = (key.key == GLFW_KEY_UP) - (key.key == GLFW_KEY_DOWN);
+    if (key.shift)
+        pan(session, -key_pan * x, -key_pan * y);
+    else
+        orbit(session, key_degrees * x, key_degrees * y);
+}
+
+void by_plus(Session& session, const Key& key, Asked&)
+{
+    dolly(session, key.character == '-' ? key_dolly : -key_dolly);
+}
+
+void by_bracket(Session& session, const Key& key, Asked&)
+{
+    turn(session, key.character == '[' ? -key_degrees : key_degrees);
+}
+
+void by_e(Session& session, const Key& key, Asked&)
+{
+    expose(session, key.shift ? 1.0 / key_exposure : key_exposure);
+}
+
+const std::array table = {
+    Shortcut{"drag", "turn around what is in the middle", "", {}},
+    Shortcut{"right drag", "shift the view (or Ctrl and drag)", "", {}},
+    Shortcut{"Shift, drag", "turn the light around", "", {}},
+    Shortcut{"wheel", "nearer and farther", "", {}},
+    Shortcut{"double click", "what is there becomes the middle", "", {}},
+    Shortcut{"arrows",
+             "turn; with Shift shift the view",
+             "",
+             {GLFW_KEY_LEFT, GLFW_KEY_RIGHT, GLFW_KEY_UP, GLFW_KEY_DOWN},
+             false,
+             true,
+             by_arrow},
+    Shortcut{"+ -", "nearer, farther", "+=-", {}, false, true, by_plus},
+    Shortcut{"[ ]", "turn the light around", "[]", {}, false, true, by_bracket},
+    Shortcut{"E, Shift E", "brighter, darker", "e", {}, false, true, by_e},
+    Shortcut{"F",
+             "look at what is in the middle",
+             "f",
+             {},
+             false,
+             false,
+             [](Session& session, const Key&, Asked&) { session.focus(0.5, 0.5); }},
+    Shortcut{"R",
+             "everything as at the start",
+             "r",
+             {},
+             false,
+             false,
+             [](Session& session, const Key&, Asked&) { session.reset(0); }},
+    Shortcut{"S",
+             "save the picture as PNG",
+             "s",
+             {},
+             false,
+             false,
+             [](Session&, const Key&, Asked& asked) { asked.save = true; }},
+    Shortcut{"C",
+             "copy the command that draws it",
+             "c",
+             {},
+             false,
+             false,
+             [](Session&, const Key&, Asked& asked) { asked.copy = true; }},
+    Shortcut{"P",
+             "show or hide the panel",
+             "p",
+             {},
+             false,
+             false,
+             [](Session&, const Key&, Asked& asked) { asked.panel ^= true; }},
+    Shortcut{"F1, ?",
+             "show or hide this list",
+             "?",
+             {GLFW_KEY_F1},
+             false,
+             false,
+             [](Session&, const Key&, Asked& asked) { asked.help ^= true; }},
+    Shortcut{"Escape",
+             "leave the list, or the panel",
+             "",
+             {GLFW_KEY_ESCAPE},
+             false,
+             false,
+             [](Session&, const Key&, Asked& asked) { asked.leave = true; }},
+    Shortcut{"Ctrl Q",
+             "close",
+             "q",
+             {},
+             true,
+             false,
+             [](Session&, const Key&, Asked& asked) { asked.close = true; }},
+};
+
+bool is_for(const Shortcut& shortcut, const Key& key)
+{
+    const bool named = key.character ? shortcut.characters.find(key.character) != std::string_view::npos
+                                     : std::find(shortcut.others.begin(), shortcut.others.end(), key.key) !=
+                                           shortcut.others.end();
+    return shortcut.act && named && shortcut.control == key.control && (shortcut.repeats || !key.repeated);
+}
+
+// While a control of the panel is chosen by keys, arrows move there.
+bool is_for_controls(const Key& key)
+{
+    const ImGuiIO& io = ImGui::GetIO();
+    if (key.control)
+        return false;
+    if (io.WantTextInput || ImGui::IsAnyItemActive())
+        return true;
+    return !key.character && key.key != GLFW_KEY_F1 && key.key != GLFW_KEY_ESCAPE && io.WantCaptureKeyboard;
+}
+
+} // namespace
+
+std::span<const Shortcut> shortcuts()
+{
+    return table;
+}
+
 void move_by_mouse(Session& session)
 {
     const ImGuiIO& io = ImGui::GetIO();
+    if (io.WantCaptureMouse || !ImGui::IsMousePosValid())
+        return;
     const double height = std::fmax(static_cast<double>(io.DisplaySize.y), 1.0);
     const double x = static_cast<double>(io.MouseDelta.x) / height,
                  y = static_cast<double>(io.MouseDelta.y) / height;
@@ -71,82 +200,14 @@ void move_by_mouse(Session& session)
         orbit(session, -x * degrees_across, y * degrees_across);
 }
 
-void arrow(Session& session, int x, int y, bool shift)
+Asked press_keys(Session& session, const std::vector<Key>& keys)
 {
-    if (shift)
-        pan(session, -key_pan * x, -key_pan * y);
-    else
-        orbit(session, key_degrees * x, key_degrees * y);
-}
-
-// Keys that move something; whether this was one.
-bool move_by_key(Session& session, const Window::Key& key)
-{
-    switch (key.key) {
-    case GLFW_KEY_RIGHT:
-        return arrow(session, 1, 0, key.shift), true;
-    case GLFW_KEY_LEFT:
-        return arrow(session, -1, 0, key.shift), true;
-    case GLFW_KEY_UP:
-        return arrow(session, 0, 1, key.shift), true;
-    case GLFW_KEY_DOWN:
-        return arrow(session, 0, -1, key.shift), true;
-    case GLFW_KEY_EQUAL:
-    case GLFW_KEY_KP_ADD:
-        return dolly(session, -key_dolly), true;
-    case GLFW_KEY_MINUS:
-    case GLFW_KEY_KP_SUBTRACT:
-        return dolly(session, key_dolly), true;
-    case GLFW_KEY_LEFT_BRACKET:
-        return turn(session, -key_degrees), true;
-    case GLFW_KEY_RIGHT_BRACKET:
-        return turn(session, key_degrees), true;
-    case GLFW_KEY_E:
-        return expose(session, key.shift ? 1.0 / key_exposure : key_exposure), true;
-    case GLFW_KEY_F:
-        return session.focus(0.5, 0.5), true;
-    case GLFW_KEY_R:
-        return session.reset(0), true;
-    default:
-        return false;
-    }
-}
-
-void ask_by_key(const Window::Key& key, Asked& asked)
-{
-    asked.save |= key.key == GLFW_KEY_S;
-    asked.copy |= key.key == GLFW_KEY_C;
-    asked.panel ^= key.key == GLFW_KEY_P;
-    asked.help ^= key.key == GLFW_KEY_F1 || (key.key == GLFW_KEY_SLASH && key.shift);
-}
-
-} // namespace
-
-const char* const hand_help = "drag             turn around what is in the middle\n"
-                              "right drag       move it aside (or Ctrl and drag)\n"
-                              "wheel, + and -   nearer and further\n"
-                              "double click, F  what is there becomes the middle\n"
-                              "Shift and drag   turn the environment ([ and ])\n"
-                              "arrows           turn; with Shift move aside\n"
-                              "E, Shift E       brighter, darker\n"
-                              "S                save the picture\n"
-                              "C                copy the command that draws it\n"
-                              "P                show or hide the panel\n"
-                              "R                everything as at the start\n"
-                              "F1, ?            this\n"
-                              "Ctrl Q           close\n"
-                              "Drop a .gltf or .glb, or an .hdr or .exr, to open it.";
-
-Asked move(Session& session, const std::vector<Window::Key>& keys)
-{
-    const ImGuiIO& io = ImGui::GetIO();
     Asked asked;
-    if (!io.WantCaptureMouse)
-        move_by_mouse(session);
-    for (const Window::Key& key : keys) {
-        asked.close |= key.control && key.key == GLFW_KEY_Q;
-        if (!io.WantTextInput && !key.control && !move_by_key(session, key))
-            ask_by_key(key, asked);
+    for (const Key& key : keys) {
+        const auto shortcut =
+            std::find_if(table.begin(), table.end(), [&](const Shortcut& row) { return is_for(row, key); });
+        if (shortcut != table.end() && !is_for_controls(key))
+            shortcut->act(session, key, asked);
     }
     return asked;
 }

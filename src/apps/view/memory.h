@@ -1,7 +1,7 @@
 // What the window remembers from one time to the next.
 #pragma once
 
-#include "apps/view/window.h"
+#include "apps/view/window_place.h"
 
 #include <filesystem>
 #include <optional>
@@ -21,5 +21,11 @@ std::optional<std::filesystem::path> memory_file();
 /// a line.
 Memory read_memory(const std::string& json, std::string& complaint);
 std::string write_memory(const Memory& memory);
+
+/// From the user's file; `complaint` gets a line that names it if it is broken.
+Memory load_memory(std::string& complaint);
+
+/// Into the user's file. Where it cannot be kept the next window starts as usual: no reason to fail.
+void keep_memory(const Memory& memory);
 
 } // namespace lambent::view_window

@@ -3,98 +3,210 @@
 #include "apps/view/controls.h"
 #include "apps/view/hands.h"
 #include "base/error.h"
+#include "base/text.h"
 #include "scene/builtin.h"
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <utility>
+
 namespace lambent::view_window {
 namespace {
 
-const char* name_of(viewer::Picture::Kind kind)
+// Nothing takes the keys from the picture unless it is clicked.
+constexpr ImGuiWindowFlags quiet = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                                   ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
+                                   ImGuiWindowFlags_NoFocusOnAppearing;
+constexpr ImGuiWindowFlags bare = quiet | ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoScrollbar;
+const ImVec4 red = {1.0f, 0.5f, 0.4f, 1.0f}, yellow = {1.0f, 0.85f, 0.4f, 1.0f},
+             blue = {0.7f, 0.9f, 1.0f, 1.0f};
+
+float line_height()
 {
-    using Kind = viewer::Picture::Kind;
-    if (kind == Kind::rest)
-        return "at rest";
-    return kind == Kind::still ? "refining" : "moving";
+    return 2.0f * ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().WindowPadding.y;
 }
 
-Pressed show_controls_panel(viewer::Session& session, Shown& shown, PanelState& state)
+float panel_width()
+{
+    return std::min(24.0f * ImGui::GetFontSize(), 0.6f * ImGui::GetIO().DisplaySize.x);
+}
+
+void wrapped(const std::string& line, const ImVec4& color)
+{
+    if (line.empty())
+        return;
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextUnformatted(line.c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+}
+
+std::string percent(double part)
+{
+    return text(std::setprecision(2), 100.0 * part, " %");
+}
+
+std::string traced_status(const std::string& size, const Shown& shown)
+{
+    const viewer::Picture::Traced& traced = *shown.traced;
+    std::string line = text(size, ", traced: ", std::lround(traced.samples), " samples");
+    if (traced.noise > 0.0)
+        line += text(", noise ", percent(traced.noise));
+    line += text("; drawn picture's error ", percent(traced.error));
+    if (traced.flip)
+        line += text(", FLIP ", std::setprecision(3), *traced.flip);
+    return shown.is_last ? line : text(line, ", refining");
+}
+
+std::string status(const Shown& shown)
+{
+    if (shown.loading)
+        return "loading";
+    const std::string size = text(shown.width, "x", shown.height);
+    if (shown.traced)
+        return traced_status(size, shown);
+    const std::string ms = text(std::lround(shown.draw_ms), " ms");
+    if (shown.kind != viewer::Picture::Kind::moving)
+        return text(size, ", ", ms, shown.kind == viewer::Picture::Kind::still ? ", refining" : "");
+    const std::string rate = shown.rate > 0.0 ? text(std::lround(shown.rate), "/s, ") : "";
+    return text(rate, size, " at ", std::lround(100.0 * shown.scale), " %, ", ms);
+}
+
+Pressed show_buttons()
+{
+    Pressed pressed;
+    pressed.save = ImGui::Button("Save (S)");
+    ImGui::SameLine();
+    pressed.reset = ImGui::Button("Reset (R)");
+    ImGui::SameLine();
+    pressed.help = ImGui::Button("Keys (F1)");
+    return pressed;
+}
+
+void show_line(const Shown& shown, Pressed& pressed)
+{
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0.0f, size.y - line_height()});
+    ImGui::SetNextWindowSize({size.x, line_height()});
+    ImGui::SetNextWindowBgAlpha(0.85f);
+    if (ImGui::Begin("##line", nullptr, bare)) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(status(shown).c_str());
+        if (shown.saving)
+            ImGui::SameLine(), ImGui::TextColored(blue, "saving");
+        pressed.copy |= ImGui::Button("Copy (C)");
+        ImGui::SameLine();
+        // Read only, but it can be selected and moved through.
+        std::string command = shown.command;
+        ImGui::SetNextItemWidth(-1.0f);
+        ImGui::InputText("##command", command.data(), command.size() + 1, ImGuiInputTextFlags_ReadOnly);
+    }
+    ImGui::End();
+}
+
+void show_messages(const Shown& shown, float width)
+{
+    const std::string ending = shown.ending ? "The picture is being saved: then this window closes." : "";
+    if (shown.error.empty() && shown.refusal.empty() && shown.notice.empty() && ending.empty())
+        return;
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0.0f, size.y - line_height()}, ImGuiCond_Always, {0.0f, 1.0f});
+    ImGui::SetNextWindowSize({width, 0.0f});
+    ImGui::SetNextWindowBgAlpha(0.85f);
+    if (ImGui::Begin("##messages", nullptr, bare | ImGuiWindowFlags_NoInputs)) {
+        wrapped(shown.error, red);
+        if (shown.refusal != shown.error)
+            wrapped(shown.refusal, red);
+        wrapped(shown.notice, blue);
+        wrapped(ending, yellow);
+    }
+    ImGui::End();
+}
+
+void show_help(bool& open)
+{
+    const ImVec2 size = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_Always, {0.5f, 0.5f});
+    if (ImGui::Begin("Keys and mouse", &open, quiet | ImGuiWindowFlags_AlwaysAutoResize)) {
+        for (const Shortcut& shortcut : shortcuts()) {
+            ImGui::TextUnformatted(shortcut.keys.data(), shortcut.keys.data() + shortcut.keys.size());
+            ImGui::SameLine(8.0f * ImGui::GetFontSize());
+            ImGui::TextUnformatted(shortcut.meaning.data(),
+                                   shortcut.meaning.data() + shortcut.meaning.size());
+        }
+        ImGui::Separator();
+        ImGui::TextUnformatted(
+            "A model (.gltf, .glb) or a panorama (.hdr, .exr)\nthat is dropped here is opened.\n"
+            "A right click on a control: its default.\n"
+            "Ctrl and a click on a slider: a number to type.");
+    }
+    ImGui::End();
+}
+
+} // namespace
+
+Pressed Panels::show_panel(viewer::Session& session, const Shown& shown)
 {
     Pressed pressed;
     const ImGuiIO& io = ImGui::GetIO();
-    const float width = 22.0f * ImGui::GetFontSize();
-    ImGui::SetNextWindowPos({io.DisplaySize.x - width, 0.0f});
-    ImGui::SetNextWindowSize({width, io.DisplaySize.y - 2.0f * ImGui::GetFrameHeightWithSpacing()});
-    if (ImGui::Begin("lambent", &state.panel, ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize)) {
-        ImGui::PushItemWidth(9.5f * ImGui::GetFontSize());
+    ImGui::SetNextWindowPos({io.DisplaySize.x - panel_width(), 0.0f});
+    ImGui::SetNextWindowSize({panel_width(), io.DisplaySize.y - line_height()});
+    if (ImGui::Begin("lambent", &is_open, quiet)) {
+        ImGui::PushItemWidth(0.5f * panel_width());
         const viewer::Wish wish = session.wish();
         try {
+            const std::optional<Opening> opening = files_.show(wish);
+            pressed = show_buttons();
+            pressed.opening = opening;
+            for (const std::string& warning : shown.warnings)
+                wrapped(text("Warning: ", warning), yellow);
+            lights_.show(session, wish.lights);
             show_controls(session, wish.values, scene::is_builtin(wish.scene));
-            show_lights(session, wish.lights);
         } catch (const Error& error) {
-            shown.notice = error.what();
+            pressed.refusal = error.what();
         }
-        ImGui::Separator();
-        pressed.save = ImGui::Button("Save (S)");
-        ImGui::SameLine();
-        pressed.copy = ImGui::Button("Copy command (C)");
-        ImGui::SameLine();
-        pressed.reset = ImGui::Button("Reset (R)");
         ImGui::PopItemWidth();
     }
     ImGui::End();
     return pressed;
 }
 
-void show_line(const Shown& shown)
+// Where a window comes or goes, Dear ImGui gives the keys to one that is left, one or two frames later. Nobody clicked there.
+void Panels::release_keys()
 {
-    const ImGuiIO& io = ImGui::GetIO();
-    const float height = 2.0f * ImGui::GetFrameHeightWithSpacing();
-    ImGui::SetNextWindowPos({0.0f, io.DisplaySize.y - height});
-    ImGui::SetNextWindowSize({io.DisplaySize.x, height});
-    ImGui::SetNextWindowBgAlpha(0.75f);
-    constexpr ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                       ImGuiWindowFlags_NoSavedSettings |
-                                       ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
-    if (ImGui::Begin("##line", nullptr, flags)) {
-        if (shown.loading)
-            ImGui::TextUnformatted("loading");
-        else
-            ImGui::Text("%s  %dx%d  %.0f %%  %.0f ms   F1: keys", name_of(shown.kind), shown.width,
-                        shown.height, 100.0 * shown.scale, shown.draw_ms);
-        const std::string& said = !shown.error.empty() ? shown.error : shown.notice;
-        if (!said.empty()) {
-            ImGui::SameLine();
-            ImGui::TextColored(shown.error.empty() ? ImVec4(0.7f, 0.9f, 1.0f, 1.0f)
-                                                   : ImVec4(1.0f, 0.5f, 0.4f, 1.0f),
-                               "%s", said.c_str());
-        }
-        ImGui::TextDisabled("%s", shown.command.c_str());
+    constexpr int frames = 4;
+    const bool turned = std::exchange(was_open_, is_open) != is_open;
+    if (std::exchange(had_help_, help) != help || turned)
+        release_ = frames;
+    if (release_ > 0) {
+        --release_;
+        ImGui::SetWindowFocus(nullptr);
     }
-    ImGui::End();
 }
 
-void show_help(PanelState& state)
+Pressed Panels::show(viewer::Session& session, const Shown& shown)
 {
-    const ImVec2 size = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({0.5f * size.x, 0.5f * size.y}, ImGuiCond_Always, {0.5f, 0.5f});
-    if (ImGui::Begin("Keys and mouse", &state.help,
-                     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings))
-        ImGui::TextUnformatted(hand_help);
-    ImGui::End();
-}
-
-} // namespace
-
-Pressed show_panels(viewer::Session& session, Shown& shown, PanelState& state)
-{
+    release_keys();
     Pressed pressed;
-    if (state.panel)
-        pressed = show_controls_panel(session, shown, state);
-    show_line(shown);
-    if (state.help)
-        show_help(state);
+    if (is_open)
+        pressed = show_panel(session, shown);
+    show_line(shown, pressed);
+    show_messages(shown, ImGui::GetIO().DisplaySize.x - (is_open ? panel_width() : 0.0f));
+    if (help)
+        show_help(help);
     return pressed;
+}
+
+void Panels::leave()
+{
+    if (help)
+        help = false;
+    else
+        ImGui::SetWindowFocus(nullptr);
 }
 
 } // namespace lambent::view_window

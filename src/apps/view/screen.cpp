@@ -29,7 +29,7 @@ void Screen::save(viewer::Saved saved)
 {
     {
         const std::lock_guard lock(mutex_);
-        news_.saved = std::move(saved);
+        news_.saved.push_back(std::move(saved));
     }
     Window::wake();
 }

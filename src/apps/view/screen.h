@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace lambent::view_window {
 
@@ -20,7 +21,7 @@ public:
         std::optional<viewer::Picture> picture;
         int shown = 0;
         std::optional<std::string> state;
-        std::optional<viewer::Saved> saved;
+        std::vector<viewer::Saved> saved;
     };
     News take();
 

@@ -1,6 +1,8 @@
 // A window on the screen, with OpenGL 3 in it and Dear ImGui over it.
 #pragma once
 
+#include "apps/view/window_place.h"
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,10 +10,6 @@
 struct GLFWwindow;
 
 namespace lambent::view_window {
-
-struct WindowPlace {
-    int width = 1280, height = 720; ///< in the units of the screen
-};
 
 class Window {
 public:
@@ -21,8 +19,15 @@ public:
     Window(const Window&) = delete;
     Window& operator=(const Window&) = delete;
 
-    GLFWwindow* handle() const { return window_; }
+    void set_title(const std::string& title) const;
+    void copy(const std::string& text) const; ///< to the clipboard
+
+    /// Whether the desktop or close() asked for the end, unless stay() came after it.
     bool closing() const;
+    void close() const;
+    void stay() const;
+
+    /// Where it stands, or stood before it was maximised.
     WindowPlace place() const;
 
     /// In pixels, of which a unit of the screen may have several.
@@ -31,31 +36,46 @@ public:
     };
     Pixels pixels() const;
 
-    /// Waits for something to happen, at most so many seconds.
-    void wait(double seconds) const;
+    /// Takes what happened; if `seconds` is above 0, waits so long for something. False: nothing happened in this time.
+    bool listen(double seconds);
 
     /// Everything of Dear ImGui between these two is shown, over what was drawn before end().
-    void begin() const;
-    void end() const;
+    void begin();
+    void end();
 
-    /// A key that went down, or repeats; GLFW_KEY_*. Dear ImGui would miss one that is up again by the next frame.
+    /// Letters and controls for another content scale: 1 on usual screens, 2 on dense ones.
+    void set_scale(float scale) { wanted_scale_ = scale; }
+
+    /// What was typed: a character in small letters, or else a key, GLFW_KEY_*. Dear ImGui knows keys only by their
+    /// places on an American keyboard.
     struct Key {
+        char character = 0;
         int key = 0;
-        bool shift = false, control = false;
+        bool shift = false, control = false, repeated = false;
     };
     std::vector<Key> take_keys() { return std::exchange(keys_, {}); }
 
     /// Names of files that were dropped.
     std::vector<std::string> take_dropped() { return std::exchange(dropped_, {}); }
 
-    /// Ends wait(), from any thread.
+    /// Ends waiting, from any thread.
     static void wake();
 
 private:
-    void listen();
+    void set_callbacks();
+    void note_key(int key, int code, bool repeated, int modifiers);
+    void note_character(unsigned character);
+    void note_place();
+    void fit_letters();
+    void press_again();
+    void let_go();
 
     GLFWwindow* window_ = nullptr;
+    WindowPlace place_;
+    float wanted_scale_ = 1.0f, scale_ = 0.0f, density_ = 0.0f;
+    Key last_key_;
     std::vector<Key> keys_;
+    std::vector<int> pressed_; ///< since the last frame
     std::vector<std::string> dropped_;
 };
 

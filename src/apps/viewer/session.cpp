@@ -150,6 +150,7 @@ void Session::open_scene(const std::string& name)
 {
     const std::lock_guard lock(mutex_);
     opening_ = {true, name};
+    announce_ = true;
     error_.clear();
 }
 
@@ -157,7 +158,14 @@ void Session::open_environment(const std::string& name)
 {
     const std::lock_guard lock(mutex_);
     opening_ = {false, name};
+    announce_ = true;
     error_.clear();
+}
+
+bool Session::is_opening() const
+{
+    const std::lock_guard lock(mutex_);
+    return !opening_.name.empty();
 }
 
 void Session::focus(double x, double y)
@@ -174,6 +182,7 @@ void Session::save(const std::string& kind)
     if (!save_kind_.empty())
         throw Error(Failure::usage, "save: a picture is being saved already");
     save_kind_ = kind;
+    saving_ = true;
 }
 
 void Session::seen()
@@ -380,6 +389,8 @@ void Session::done(const Plan& plan, double milliseconds)
             pace_.made(plan.scale, milliseconds);
             drawn_serial_ = plan.serial;
         }
+        if (plan.task == Plan::Task::save)
+            saving_ = !save_kind_.empty();
         if (plan.task == Plan::Task::still)
             still_ = plan.serial;
         if (plan.task == Plan::Task::rest) {
@@ -409,6 +420,8 @@ void Session::traced(const Plan& plan)
 void Session::failed(const Plan& plan, const std::string& line)
 {
     const std::lock_guard lock(mutex_);
+    if (plan.task == Plan::Task::save)
+        saving_ = !save_kind_.empty();
     if (plan.task != Plan::Task::save && plan.task != Plan::Task::pick)
         seen();
     if (line.empty())

@@ -72,11 +72,17 @@ public:
     void open_scene(const std::string& name);
     void open_environment(const std::string& name);
 
+    /// Whether one is being opened: another asked for meanwhile takes its place.
+    bool is_opening() const;
+
     /// The surface at this place, in parts of the picture from its top left, becomes its middle.
     void focus(double x, double y);
 
     /// The picture as a file: "png" or "jpg". Throws Error(usage) for others, or if one is being saved.
     void save(const std::string& kind);
+
+    /// Whether a picture is being saved: from save() until the presenter has it or the state says why not.
+    bool is_saving() const { return saving_; }
 
     /// One picture was seen: the next may come.
     void seen();
@@ -150,7 +156,7 @@ private:
     std::atomic<std::uint64_t> serial_ = 1, drawn_serial_ = 0;
     std::uint64_t still_ = 0, rest_ = 0, traced_ = 0, input_ = 0;
     std::atomic<int> in_flight_ = 0;
-    std::atomic<bool> closed_ = false;
+    std::atomic<bool> closed_ = false, saving_ = false;
     Clock::time_point last_input_{};
     std::optional<Clock::time_point>
         playing_; ///< since when the moment is that of the wish; unset: not playing

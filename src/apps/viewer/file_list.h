@@ -1,11 +1,16 @@
 // The files that viewers may open: models and panoramas in the folders that the command line named.
 #pragma once
 
+#include "apps/cli/arguments.h"
+
 #include <filesystem>
 #include <string>
 #include <vector>
 
-namespace lambent::serve {
+namespace lambent::viewer {
+
+/// The folders of the files that a command line names.
+std::vector<std::filesystem::path> folders_named(const cli::RenderArguments& picture);
 
 class FileList {
 public:
@@ -30,4 +35,4 @@ private:
     std::vector<std::filesystem::path> folders_;
 };
 
-} // namespace lambent::serve
+} // namespace lambent::viewer

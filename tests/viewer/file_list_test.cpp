@@ -1,5 +1,5 @@
 // What may be opened, and what not by any name.
-#include "apps/serve/file_list.h"
+#include "apps/viewer/file_list.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "tests/support/process.h"
@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <fstream>
 
-namespace lambent::serve {
+namespace lambent::viewer {
 namespace {
 
 namespace fs = std::filesystem;
@@ -71,6 +71,17 @@ TEST(FileList, WithoutFoldersOnlyBuiltInNames)
     EXPECT_THROW(files.check_environment("x.hdr"), Error);
 }
 
+TEST(FileList, FoldersAreThoseOfTheFilesNamed)
+{
+    cli::RenderArguments picture;
+    picture.scene = "grid";
+    picture.environment = "none";
+    EXPECT_TRUE(folders_named(picture).empty());
+    picture.scene = "models/duck.glb";
+    picture.environment = "sky.hdr";
+    EXPECT_EQ(folders_named(picture), (std::vector<fs::path>{"models", ""}));
+}
+
 TEST(FileList, IsShortWhateverIsThere)
 {
     const testing::Folder folder;
@@ -82,4 +93,4 @@ TEST(FileList, IsShortWhateverIsThere)
 }
 
 } // namespace
-} // namespace lambent::serve
+} // namespace lambent::viewer

@@ -1,4 +1,4 @@
-#include "apps/serve/file_list.h"
+#include "apps/viewer/file_list.h"
 
 #include "base/error.h"
 #include "base/text.h"
@@ -9,7 +9,7 @@
 #include <system_error>
 #include <utility>
 
-namespace lambent::serve {
+namespace lambent::viewer {
 namespace {
 
 namespace fs = std::filesystem;
@@ -36,6 +36,16 @@ bool is_in(const fs::path& file, const fs::path& folder)
 }
 
 } // namespace
+
+std::vector<fs::path> folders_named(const cli::RenderArguments& picture)
+{
+    std::vector<fs::path> folders;
+    if (!scene::is_builtin(picture.scene))
+        folders.push_back(fs::path(picture.scene).parent_path());
+    if (picture.environment != "none" && !environment::is_builtin(picture.environment))
+        folders.push_back(fs::path(picture.environment).parent_path());
+    return folders;
+}
 
 FileList::FileList(std::vector<fs::path> folders) : folders_(std::move(folders))
 {
@@ -108,4 +118,4 @@ void FileList::check_environment(const std::string& name) const
         check_file(name, environment_kinds);
 }
 
-} // namespace lambent::serve
+} // namespace lambent::viewer
