@@ -1,5 +1,6 @@
 #include "apps/view/panel.h"
 
+#include "apps/view/animation_controls.h"
 #include "apps/view/controls.h"
 #include "apps/view/hands.h"
 #include "base/error.h"
@@ -164,6 +165,7 @@ Pressed Panels::show_panel(viewer::Session& session, const Shown& shown)
             pressed.opening = opening;
             for (const std::string& warning : shown.warnings)
                 wrapped(text("Warning: ", warning), yellow);
+            show_animation(session);
             lights_.show(session, wish.lights);
             show_controls(session, wish.values, scene::is_builtin(wish.scene));
         } catch (const Error& error) {

@@ -444,30 +444,41 @@ std::string Session::state() const
     return state_now();
 }
 
+Playing Session::playing() const
+{
+    const std::lock_guard lock(mutex_);
+    return playing_now();
+}
+
+Playing Session::playing_now() const
+{
+    if (!model_)
+        return {};
+    const std::vector<scene::AnimationInfo>& all = model_->scene().animations;
+    const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), most_animations));
+    return {{all.begin(), end}, animation_of(wish_, all), wish_.moment, playing_.has_value()};
+}
+
 std::string Session::state_now() const
 {
+    const Playing playing = playing_now();
     nlohmann::ordered_json state = {{"type", "state"},
                                     {"scene", wish_.scene},
                                     {"environment", wish_.environment},
                                     {"values", to_json(wish_.values)},
                                     {"lights", wish_.lights},
                                     {"command", command_of(wish_, "picture.png")},
-                                    {"animation", -1},
-                                    {"moment", wish_.moment},
-                                    {"playing", playing_.has_value()},
+                                    {"animation", playing.number},
+                                    {"moment", playing.moment},
+                                    {"playing", playing.on},
                                     {"width", wish_.width},
                                     {"height", wish_.height},
                                     {"loading", pending_ || !opening_.name.empty()},
                                     {"error", !error_.empty() ? error_ : file_error_}};
     state["animations"] = nlohmann::ordered_json::array();
-    if (model_) {
-        const std::vector<scene::AnimationInfo>& animations = model_->scene().animations;
-        state["animation"] = animation_of(wish_, animations);
-        for (const scene::AnimationInfo& animation : animations)
-            if (state["animations"].size() < most_animations)
-                state["animations"].push_back(
-                    {{"name", one_line(animation.name).substr(0, 100)}, {"seconds", animation.seconds}});
-    }
+    for (const scene::AnimationInfo& animation : playing.animations)
+        state["animations"].push_back(
+            {{"name", one_line(animation.name).substr(0, 100)}, {"seconds", animation.seconds}});
     state["warnings"] = nlohmann::ordered_json::array();
     if (model_)
         for (const std::string& warning : model_->warnings())

@@ -39,6 +39,14 @@ struct Plan {
     std::array<double, 2> place{}; ///< pick: in parts of the picture, from its top left
 };
 
+/// What a scene's animations are doing.
+struct Playing {
+    std::vector<scene::AnimationInfo> animations; ///< of the scene that is shown
+    int number = -1;                              ///< of the one that is wished; -1: none
+    double moment = 0.0;                          ///< seconds from its start
+    bool on = false;
+};
+
 /// Inputs may come from any thread; planning and reports from the drawing thread.
 class Session {
 public:
@@ -67,6 +75,8 @@ public:
 
     /// Lets the animation go on, the first one if there is none yet, round and round, or stops it.
     void play(std::uint64_t input, bool on);
+
+    Playing playing() const;
 
     /// Another scene or environment, once it is loaded; what cannot be is said in the state.
     void open_scene(const std::string& name);
@@ -135,6 +145,7 @@ private:
     void set_error(const std::string& line);
     std::optional<Plan::Task> task_now(Clock::time_point now, Clock::time_point& wake);
     Plan planned(Plan::Task task);
+    Playing playing_now() const;
     std::string state_now() const;
 
     mutable std::mutex mutex_;
