@@ -133,8 +133,10 @@ async function viewer({ open, pictures }) {
 async function viewerFocus({ open, pictures }) {
     await open({}, async page => {
         const index = Math.min(1, pictures.length - 1), last = pictures.length - 1;
-        const isBack = (place = index) => page.locator('.view').nth(place).evaluate(element =>
-            element === document.activeElement);
+        // A dialogue says that it was closed when it has its turn, and the page then moves the focus.
+        const isBack = (place = index) => page.waitForFunction(
+            at => document.querySelectorAll('.view')[at] === document.activeElement, place, { timeout: 5000 })
+            .then(() => true, () => false);
         await page.locator('.view').nth(index).focus();
         await page.keyboard.press('Enter');
         expectShown(await viewerState(page), pictures[index]);

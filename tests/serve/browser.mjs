@@ -46,7 +46,7 @@ const browser = await startBrowser();
 const { server, address } = await startServer(program, ['grid', '--port', '0', '--quiet']);
 
 // Calls use(page, context) with a fresh page that shows its first picture at rest; nothing may be complained of.
-async function open({ width = 900, height = 400, ...options }, use) {
+async function open({ width = 900, height = 400, at = address, ...options }, use) {
     const context = await browser.newContext({ viewport: { width, height }, acceptDownloads: true, ...options });
     const page = await context.newPage(), troubles = [];
     page.on('console', message => {
@@ -54,10 +54,10 @@ async function open({ width = 900, height = 400, ...options }, use) {
     });
     page.on('pageerror', error => troubles.push(`script: ${error.message}`));
     page.on('request', request => {
-        if (!request.url().startsWith(address) && !/^(data|blob):/.test(request.url()))
+        if (!request.url().startsWith(at) && !/^(data|blob):/.test(request.url()))
             troubles.push(`asked for ${request.url()}`);
     });
-    await page.goto(address);
+    await page.goto(at);
     await rest(page, 1);
     await use(page, context);
     assert.deepEqual(troubles, []);
@@ -125,6 +125,26 @@ const difference = (page, one, two, column) => page.evaluate(async ([a, b, middl
     });
     return sums.map((sum, side) => sum / counts[side]);
 }, [one.toString('base64'), two.toString('base64'), column]);
+
+// A triangle that slides a metre to the right in two seconds.
+function movingModel() {
+    const numbers = new Float32Array([0, 0, 0, 1, 0, 0, 0, 1, 0, /* times */ 0, 2, /* places */ 0, 0, 0, 1, 0, 0]);
+    const view = (byteOffset, byteLength) => ({ buffer: 0, byteOffset, byteLength });
+    const accessor = (bufferView, count, type, more = {}) => ({ bufferView, componentType: 5126, count, type, ...more });
+    return {
+        asset: { version: '2.0' },
+        buffers: [{ byteLength: numbers.byteLength,
+                    uri: `data:application/octet-stream;base64,${Buffer.from(numbers.buffer).toString('base64')}` }],
+        bufferViews: [view(0, 36), view(36, 8), view(44, 24)],
+        accessors: [accessor(0, 3, 'VEC3', { min: [0, 0, 0], max: [1, 1, 0] }),
+                    accessor(1, 2, 'SCALAR', { min: [0], max: [2] }), accessor(2, 2, 'VEC3')],
+        meshes: [{ primitives: [{ attributes: { POSITION: 0 } }] }],
+        nodes: [{ mesh: 0 }],
+        scenes: [{ nodes: [0] }],
+        animations: [{ name: 'slide', samplers: [{ input: 1, output: 2 }],
+                       channels: [{ sampler: 0, target: { node: 0, path: 'translation' } }] }],
+    };
+}
 
 // The picture in docs/VIEWER.md. LAMBENT_UPDATE_PICTURES=1 makes it anew.
 async function expectCommittedPicture(page) {
@@ -261,6 +281,36 @@ const checks = {
         await settled(page);
         assert.ok(!await page.locator('#set-roughness').isVisible());
     }),
+    'an animation plays, stops and is drawn at a moment': async () => {
+        const model = join(folder, 'moving.gltf');
+        writeFileSync(model, JSON.stringify(movingModel()));
+        const moving = await startServer(program, [model, '--env', 'studio', '--port', '0', '--quiet']);
+        const command = page => page.inputValue('#command');
+        try {
+            await open({ at: moving.address }, async page => {
+                const before = await pixels(page);
+                assert.ok(await page.locator('#animation').isVisible());
+                await page.focus('#picture');
+                await page.keyboard.press('Space');
+                await page.waitForFunction(() => Number.parseFloat(document.getElementById('seconds').textContent) > 0.3);
+                assert.equal(await page.textContent('#play'), 'Pause');
+                await page.click('#play');
+                await settled(page);
+                assert.match(await command(page), / --animation=slide --moment=\d/);
+                assert.notEqual((await pixels(page)).hash, before.hash);
+                await page.locator('#moment').fill('500');
+                await settled(page);
+                assert.match(await command(page), / --moment=1 /);
+                await page.selectOption('#animate', '-1');
+                await settled(page);
+                assert.doesNotMatch(await command(page), /--animation/);
+                assert.equal((await pixels(page)).hash, before.hash);
+            });
+        } finally {
+            moving.server.kill('SIGKILL');
+        }
+        await open({}, async page => assert.ok(!await page.locator('#animation').isVisible()));
+    },
     'every control has a name': () => open({}, async page => {
         const nameless = await page.evaluate(() => [...document.querySelectorAll('input, select, textarea, button')]
             .filter(control => !control.labels?.length && !control.ariaLabel && !control.textContent.trim())

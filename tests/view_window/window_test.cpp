@@ -1,10 +1,14 @@
 // `lambent view` moved by mouse and keys.
 #include "apps/view/hands.h"
 #include "base/text.h"
+#include "tests/scene/sliding_model.h"
 #include "tests/view_window/window_fixture.h"
 
+#include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <thread>
 
 namespace lambent::testing {
 namespace {
@@ -75,7 +79,27 @@ TEST(ViewKeys, ATableHasThemAllOnce)
             characters += c;
         }
     }
-    EXPECT_EQ(actions, 12);
+    EXPECT_EQ(actions, 13);
+}
+
+TEST_F(ViewWindow, SpacePlaysAndStops)
+{
+    const std::string model = desktop_->folder().path("moving.glb");
+    const std::vector<std::uint8_t> bytes = scene::test::sliding_model();
+    std::ofstream(model, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    open({model});
+    const Screenshot still = look();
+    press("space");
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    const Screenshot one = desktop_->look();
+    std::this_thread::sleep_for(std::chrono::milliseconds(400));
+    EXPECT_GT(desktop_->look().difference(one, picture_area), 0.5);
+    press("space");
+    const Screenshot stopped = look();
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    EXPECT_EQ(desktop_->look().rgb == stopped.rgb, true);
+    EXPECT_GT(stopped.difference(still, picture_area), 0.5);
 }
 
 TEST_F(ViewWindow, ThePanelsSliderChangesTheExposure)
