@@ -12,9 +12,10 @@ namespace {
 
 class Animations : public ::testing::Test {
 protected:
-    Animations()
+    Animations() { write(scene::test::sliding_model()); }
+
+    void write(const std::vector<std::uint8_t>& bytes) const
     {
-        const std::vector<std::uint8_t> bytes = scene::test::sliding_model();
         std::ofstream(model, std::ios::binary)
             .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     }
@@ -134,6 +135,27 @@ TEST_F(Animations, TheReferenceIsOfTheMoment)
                   traced = seat.wait_for(Picture::Kind::traced, 2);
     EXPECT_NEAR(middle_of(traced.codes), middle_of(drawn.codes), 1.0);
     EXPECT_LT(traced.traced->error, 0.2);
+}
+
+// A trace is of the file as it is now, not as it was when the trace began.
+TEST_F(Animations, TheReferenceBeginsAnewWhenTheFileChanges)
+{
+    Wish compared = wish();
+    compared.values.set("layer", "reference");
+    Seat seat(desk, stock, compared);
+    const double before = middle_of(seat.wait_for(Picture::Kind::traced, 0).codes);
+    scene::test::GltfBuilder changed = scene::test::triangle();
+    changed.document["nodes"].push_back({{"mesh", 0}, {"translation", {2, 0, 0}}});
+    changed.document["scenes"][0]["nodes"].push_back(changed.document["nodes"].size() - 1);
+    write(changed.glb());
+    Picture traced = seat.wait_for(Picture::Kind::traced, 0);
+    for (int i = 0; i < 1000 && std::fabs(middle_of(traced.codes) - before) < 3.0; ++i)
+        traced = seat.wait_for(Picture::Kind::traced, 0);
+    const Picture drawn = [&] {
+        seat.change(1, [](Wish& w, const Eye::World&) { w.values.set("layer", "picture"); });
+        return seat.wait_for(Picture::Kind::rest, 1);
+    }();
+    EXPECT_NEAR(middle_of(traced.codes), middle_of(drawn.codes), 1.0);
 }
 
 } // namespace

@@ -135,6 +135,7 @@ private:
     };
 
     void touch(std::uint64_t input);
+    void begin_anew();
     Eye::World world() const;
     void look_for_opening();
     bool find_things(const Wish& wish);

@@ -1,0 +1,259 @@
+// What a session wants drawn next, and what became of it.
+#include "apps/cli/picture_setup.h"
+#include "apps/viewer/session.h"
+#include "base/error.h"
+#include "base/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace lambent::viewer {
+namespace {
+
+// A picture of more samples than this is preceded by one that is whole sooner.
+constexpr int many_samples = 80;
+
+void make_fast(cli::RenderArguments& arguments, double scale)
+{
+    draw::Settings& settings = arguments.settings;
+    settings.samples = std::min(settings.samples, draw::split_sum_samples);
+    settings.edge_samples = 1;
+    settings.mip_level = draw::MipLevel::matched;
+    settings.width = std::max(1, static_cast<int>(std::lround(settings.width * scale)));
+    settings.height = std::max(1, static_cast<int>(std::lround(settings.height * scale)));
+}
+
+} // namespace
+
+// What is wished may not be there yet, or no longer: what was there before is drawn until it is.
+bool Session::find_things(const Wish& wish)
+{
+    const cli::RenderArguments arguments = arguments_of(wish);
+    const Found<Model> model = stock_.model(arguments);
+    const Found<const cli::LoadedEnvironment> environment = stock_.environment(wish.environment);
+    pending_ = model.pending || environment.pending;
+    const std::string error = !model.error.empty() ? model.error : environment.error;
+    announce_ = announce_ || error != file_error_;
+    file_error_ = error;
+    const bool changed =
+        (model.value && model.value != model_) || (environment.value && environment.value != environment_);
+    if (model.value)
+        model_ = model.value;
+    if (environment.value)
+        environment_ = environment.value;
+    if (changed) {
+        announce_ = true;
+        begin_anew();
+    }
+    return model_ && environment_;
+}
+
+bool Session::is_compared() const
+{
+    const std::string& layer = wish_.values["layer"];
+    return layer == "reference" || layer == "error";
+}
+
+// Whether what is at rest can be compared now.
+bool Session::find_trace()
+{
+    if (!is_compared() || rest_ != serial_ || traced_ == serial_)
+        return false;
+    if (trace_)
+        return true;
+    const Found<const RawEnvironment> raw = stock_.raw_environment(wish_.environment);
+    if (!raw.value || drawn_.values.empty())
+        return false; // it is being loaded, or the environment's error has been said already
+    TraceTask task;
+    task.arguments = planned(Plan::Task::rest).arguments;
+    task.bounces = std::stoi(wish_.values["bounces"]);
+    task.shows_error = wish_.values["layer"] == "error";
+    task.model = model_;
+    task.environment = raw.value;
+    trace_ = std::make_shared<Trace>(std::move(task), std::exchange(drawn_, {}));
+    return true;
+}
+
+void Session::look_for_opening()
+{
+    if (opening_.name.empty())
+        return;
+    Wish wish = wish_;
+    (opening_.is_scene ? wish.scene : wish.environment) = opening_.name;
+    if (opening_.is_scene) {
+        wish.eye = first_eye(wish.scene);
+        wish.animation.clear();
+    }
+    bool pending = false, there = false;
+    std::string error;
+    try {
+        const auto look = [&](const auto& found) {
+            pending = found.pending;
+            there = found.value != nullptr;
+            error = found.error;
+        };
+        if (opening_.is_scene)
+            look(stock_.model(arguments_of(wish)));
+        else
+            look(stock_.environment(wish.environment));
+    } catch (const Error& problem) {
+        error = problem.what();
+    }
+    if (error.empty() && pending)
+        return;
+    opening_.name.clear();
+    announce_ = true;
+    if (!there || !error.empty()) {
+        set_error(error);
+        return;
+    }
+    wish_ = std::move(wish);
+    if (opening_.is_scene)
+        playing_.reset();
+    begin_anew();
+}
+
+std::optional<Plan::Task> Session::task_now(Clock::time_point now, Clock::time_point& wake)
+{
+    if (!save_kind_.empty())
+        return Plan::Task::save;
+    if (in_flight_ >= most_in_flight)
+        return std::nullopt;
+    if (place_)
+        return Plan::Task::pick;
+    if (drawn_serial_ != serial_)
+        return Plan::Task::moving;
+    if (find_trace())
+        return Plan::Task::trace;
+    if (rest_ == serial_)
+        return std::nullopt;
+    if (now - last_input_ < settle) {
+        wake = std::min(wake, last_input_ + settle);
+        return std::nullopt;
+    }
+    const int samples = std::stoi(wish_.values["samples"]);
+    return still_ != serial_ && samples > many_samples ? Plan::Task::still : Plan::Task::rest;
+}
+
+Plan Session::planned(Plan::Task task)
+{
+    Plan plan;
+    plan.task = task;
+    plan.arguments = arguments_of(wish_);
+    plan.layer = wish_.values["layer"];
+    plan.model = model_;
+    plan.environment = environment_;
+    plan.moment = wish_.moment;
+    plan.width = wish_.width;
+    plan.height = wish_.height;
+    plan.serial = serial_;
+    plan.input = input_;
+    plan.arguments.settings.camera = cli::orbit_asked(plan.arguments, model_->bounds());
+    if (task == Plan::Task::moving)
+        plan.scale = pace_.scale();
+    if (task == Plan::Task::pick)
+        plan.scale = std::min(1.0, 320.0 / std::max(plan.width, plan.height));
+    if (task == Plan::Task::moving || task == Plan::Task::pick)
+        make_fast(plan.arguments, plan.scale);
+    if (task == Plan::Task::still)
+        plan.arguments.settings.samples = draw::split_sum_samples;
+    if (task == Plan::Task::save) {
+        plan.file = text("picture.", std::exchange(save_kind_, ""));
+        plan.command = command_of(wish_, plan.file);
+        plan.layer = "picture";
+    }
+    if (task == Plan::Task::pick)
+        plan.place = *std::exchange(place_, std::nullopt);
+    plan.is_compared = task == Plan::Task::rest && is_compared();
+    if (task == Plan::Task::trace)
+        plan.trace = trace_;
+    if (is_compared())
+        plan.layer = "picture";
+    plan.arguments.settings.layers = task == Plan::Task::pick || plan.layer != "picture";
+    return plan;
+}
+
+std::optional<Plan> Session::plan(Clock::time_point now, Clock::time_point& wake)
+{
+    std::optional<Plan> plan;
+    std::string state;
+    {
+        const std::lock_guard lock(mutex_);
+        if (closed_)
+            return std::nullopt;
+        look_for_opening();
+        go_on_playing(now, wake);
+        if (find_things(wish_))
+            if (const std::optional<Plan::Task> task = task_now(now, wake)) {
+                plan = planned(*task);
+                if (task != Plan::Task::save && task != Plan::Task::pick)
+                    ++in_flight_;
+            }
+        if (std::exchange(announce_, false))
+            state = state_now();
+    }
+    if (!state.empty())
+        presenter_->say(state);
+    return plan;
+}
+
+void Session::done(const Plan& plan, double milliseconds)
+{
+    std::string state;
+    {
+        const std::lock_guard lock(mutex_);
+        if (plan.task == Plan::Task::moving) {
+            pace_.made(plan.scale, milliseconds);
+            drawn_serial_ = plan.serial;
+        }
+        if (plan.task == Plan::Task::save)
+            saving_ = !save_kind_.empty();
+        if (plan.task == Plan::Task::still)
+            still_ = plan.serial;
+        if (plan.task == Plan::Task::rest) {
+            rest_ = plan.serial;
+            state = state_now();
+        }
+    }
+    if (!state.empty())
+        presenter_->say(state);
+}
+
+void Session::drawn(const Plan& plan, image::RadianceImage light)
+{
+    const std::lock_guard lock(mutex_);
+    if (plan.serial == serial_)
+        drawn_ = std::move(light);
+}
+
+void Session::traced(const Plan& plan)
+{
+    const std::lock_guard lock(mutex_);
+    traced_ = plan.serial;
+    if (plan.serial == serial_)
+        trace_.reset();
+}
+
+void Session::failed(const Plan& plan, const std::string& line)
+{
+    const std::lock_guard lock(mutex_);
+    if (plan.task == Plan::Task::save)
+        saving_ = !save_kind_.empty();
+    if (plan.task != Plan::Task::save && plan.task != Plan::Task::pick)
+        seen();
+    if (line.empty())
+        return; // overtaken: it is planned again
+    set_error(line);
+    // Not again until something changes.
+    drawn_serial_ = still_ = rest_ = traced_ = plan.serial;
+}
+
+void Session::picked(const glm::dvec3& point, const Plan&)
+{
+    const std::lock_guard lock(mutex_);
+    wish_.eye.look_at(world(), point);
+    touch(0);
+}
+
+} // namespace lambent::viewer
