@@ -18,6 +18,9 @@ namespace {
 constexpr std::uint64_t free_numbers = 2'000'000;
 constexpr std::uint64_t numbers_per_byte = 4;
 
+// Thirty years; seconds beyond have no fractions left in a float.
+constexpr float farthest_time = 1e9f;
+
 std::size_t at(int index)
 {
     return static_cast<std::size_t>(index);
@@ -101,8 +104,8 @@ void AnimationReader::read_times(const AnimationSource::Sampler& sampler, const 
     check_floats(document_, use);
     curve.times = read_scalars(document_, use);
     for (std::size_t key = 0; key < curve.times.size(); ++key) {
-        if (!std::isfinite(curve.times[key]))
-            document_.fail(name, ": the time of key ", key, " is not finite");
+        if (!(std::fabs(curve.times[key]) <= farthest_time))
+            document_.fail(name, ": the time of key ", key, " is not within ", farthest_time, " s");
         if (key > 0 && !(curve.times[key] > curve.times[key - 1]))
             document_.fail(name, ": the time of key ", key, ", ", curve.times[key],
                            " s, is not after the one before");
@@ -285,7 +288,7 @@ Pose pose_of(const Document& document, std::span<const Animation> animations,
     for (const Animation& animation : animations)
         for (const Track& track : animation.tracks) {
             NodePose& node = pose[track.node];
-            if (track.property != Animated::weights)
+            if (track.property != Animated::weights || node.morphs)
                 continue;
             const tinygltf::Node& source = document.model.nodes[at(track.node)];
             node.weights =

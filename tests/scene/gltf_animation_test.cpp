@@ -366,9 +366,9 @@ TEST(GltfAnimation, BrokenOnesAreRefused)
     EXPECT_EQ(with_times({3, 1}),
               "test.gltf: animation 0, sampler 0: the time of key 1, 1 s, is not after the one before");
     EXPECT_EQ(with_times({0, std::nanf("")}),
-              "test.gltf: animation 0, sampler 0: the time of key 1 is not finite");
+              "test.gltf: animation 0, sampler 0: the time of key 1 is not within 1e+09 s");
     EXPECT_EQ(with_times({0, infinite}),
-              "test.gltf: animation 0, sampler 0: the time of key 1 is not finite");
+              "test.gltf: animation 0, sampler 0: the time of key 1 is not within 1e+09 s");
     EXPECT_EQ(with_times({0, 1, 2}),
               "test.gltf: animation 0, sampler 0: 2 values for 3 keys, not 1 for each");
     EXPECT_EQ(with_times({}), "test.gltf: animation 0, sampler 0: no keys");

@@ -158,5 +158,42 @@ TEST_F(Animations, TheReferenceBeginsAnewWhenTheFileChanges)
     EXPECT_NEAR(middle_of(traced.codes), middle_of(drawn.codes), 1.0);
 }
 
+// The file is exported again without what was chosen: the viewer goes on.
+TEST_F(Animations, OneThatIsGoneIsForgotten)
+{
+    Seat seat(desk, stock, wish());
+    seat.wait_for(Picture::Kind::rest, 0);
+    seat.session->animate(1, 1.0);
+    seat.session->play(2, true);
+    desk.nudge();
+    seat.wait_for(Picture::Kind::moving, 2);
+    write(scene::test::triangle().glb());
+    seat.wait_for(Picture::Kind::rest, 2); // it plays no more
+    EXPECT_EQ(seat.session->wish().animation, "");
+    EXPECT_TRUE(nlohmann::json::parse(seat.session->state())["error"].get<std::string>().empty());
+}
+
+// Somebody else's long picture is left for who plays.
+TEST_F(Animations, PlayingGoesOnBesideALongPicture)
+{
+    Wish long_wish = small_wish("grid");
+    long_wish.values.set("samples", "1024");
+    set_size(long_wish, 2560.0, 1600.0);
+    Seat player(desk, stock, wish());
+    player.wait_for(Picture::Kind::rest, 0);
+    player.session->play(1, true);
+    Seat other(desk, stock, long_wish);
+    other.wait_for(Picture::Kind::still, 0);
+    const auto is_done = [&] {
+        const std::lock_guard lock(other.audience->mutex);
+        return !other.audience->pictures.empty();
+    };
+    int frames = 0;
+    for (; !is_done(); ++frames)
+        player.wait_for(Picture::Kind::moving, 1);
+    EXPECT_GT(frames, Session::most_in_flight); // more than were on their way
+    player.session->play(2, false);
+}
+
 } // namespace
 } // namespace lambent::viewer

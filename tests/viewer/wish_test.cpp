@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace lambent::viewer {
 namespace {
 
@@ -39,17 +41,28 @@ TEST(Wish, TheCommandSaysAllThatIsNotUsual)
     EXPECT_EQ(arguments.display.tone, display::Tone::agx);
 }
 
-TEST(Wish, AMomentIsOfTheSceneThatItWasGivenWith)
+TEST(Wish, AnAnimationIsCalledByWhatNamesItAlone)
 {
-    cli::StartArguments start;
-    start.picture.scene = "walker.glb";
-    start.picture.animation = "-walk";
-    start.picture.moment = 0.5;
-    start.words = {{"animation", "-walk"}, {"moment", "0.5"}};
-    Wish wish = first_wish(start);
-    const cli::RenderArguments arguments = arguments_of(wish);
-    EXPECT_EQ(arguments.animation, "-walk");
-    EXPECT_EQ(arguments.moment, 0.5);
+    using Names = std::vector<scene::AnimationInfo>;
+    const auto word_of = [](const Names& names, int number) {
+        Wish wish{"walker.glb", "kitchen", {}, {}, {}};
+        animate(wish, names, number);
+        wish.moment = 0.5;
+        const cli::RenderArguments arguments = arguments_of(wish);
+        EXPECT_EQ(arguments.animation, wish.animation);
+        EXPECT_EQ(arguments.moment, 0.5);
+        EXPECT_EQ(animation_of(wish, names), number);
+        return wish.animation;
+    };
+    EXPECT_EQ(word_of({{"-walk", 1}, {"run", 1}}, 0), "-walk");
+    EXPECT_EQ(word_of({{"walk", 1}, {"walk", 1}}, 1), "1");
+    EXPECT_EQ(word_of({{"walk", 1}, {std::string("x\0y", 3), 1}}, 1), "1");
+    EXPECT_EQ(word_of({{"", 1}, {"run", 1}}, 0), "0");
+    Wish wish{"walker.glb", "kitchen", {}, {}, {}};
+    animate(wish, {{"walk", 1}}, 0);
+    for (const double none : {1.0, 0.5, std::nan("")})
+        EXPECT_THROW(animate(wish, {{"walk", 1}}, none), Error);
+    EXPECT_EQ(wish.animation, "walk"); // as it was
     wish.scene = "sphere";
     EXPECT_FALSE(arguments_of(wish).moment.has_value());
 }

@@ -143,8 +143,9 @@ void bake_to_files(const BakeArguments& arguments, const Interrupt& interrupt, C
         console.remark(text("wrote ", file));
     if (arguments.common.stats_json) {
         nlohmann::ordered_json stats = describe(arguments, baked, files);
-        stats["backend"] = filler.backend;
-        if (const std::optional<double> milliseconds = filler.milliseconds()) {
+        const bool given_up = filler.given_up && *filler.given_up;
+        stats["backend"] = given_up ? "cpu" : filler.backend;
+        if (const std::optional<double> milliseconds = filler.milliseconds(); milliseconds && !given_up) {
             stats["device"] = filler.device;
             stats["device_ms"]["prefilter"] = *milliseconds;
         }

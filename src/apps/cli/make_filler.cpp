@@ -17,7 +17,7 @@ namespace {
 
 Filler by_processor()
 {
-    return {environment::prefilter_faces, "cpu", {}, [] { return std::nullopt; }};
+    return {environment::prefilter_faces, "cpu", {}, {}, [] { return std::nullopt; }};
 }
 
 #ifdef LAMBENT_VULKAN
@@ -25,8 +25,10 @@ using Device = std::shared_ptr<draw::DevicePrefilter>;
 
 Filler by_device(const Device& device)
 {
-    return {[device](const auto& faces, const auto& report) { device->fill(faces, report); }, "vulkan",
+    return {[device](const auto& faces, const auto& report) { device->fill(faces, report); },
+            "vulkan",
             device->device(),
+            {},
             [device] {
                 const std::vector<double>& all = device->milliseconds();
                 return std::optional(std::accumulate(all.begin(), all.end(), 0.0));
@@ -37,15 +39,20 @@ Filler by_device(const Device& device)
 Filler by_device_or_processor(const Device& device, const std::function<void(const std::string&)>& warn)
 {
     Filler filler = by_device(device);
-    filler.fill = [fill = filler.fill, warn](const auto& faces, const auto& report) {
-        try {
-            fill(faces, report);
-        } catch (const Error& error) {
-            if (error.failure() != Failure::no_device)
-                throw;
-            warn(error.what());
-            environment::prefilter_faces(faces, report);
-        }
+    filler.given_up = std::make_shared<bool>(false);
+    filler.fill = [fill = filler.fill, warn, given_up = filler.given_up](const auto& faces,
+                                                                         const auto& report) {
+        if (!*given_up)
+            try {
+                fill(faces, report);
+                return;
+            } catch (const Error& error) {
+                if (error.failure() != Failure::no_device)
+                    throw;
+                warn(error.what());
+                *given_up = true;
+            }
+        environment::prefilter_faces(faces, report);
     };
     return filler;
 }

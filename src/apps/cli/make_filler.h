@@ -5,6 +5,7 @@
 #include "environment/prefilter_faces.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -13,6 +14,8 @@ namespace lambent::cli {
 struct Filler {
     environment::FillFaces fill;
     std::string backend, device; ///< for people; the processors have no device
+    std::shared_ptr<bool>
+        given_up; ///< set when the device failed and the processors went on; null: that cannot be
 
     /// Milliseconds on the device so far; none of the processors.
     std::function<std::optional<double>()> milliseconds;

@@ -248,7 +248,7 @@ function begin(message) {
 
 // --- Animation ------------------------------------------------------------------------------------------------------
 
-const duration = () => state?.animations[state.animation]?.seconds ?? 0;
+const duration = () => state?.seconds ?? 0;
 
 function showMoment(seconds) {
     if (document.activeElement !== at('moment') || state?.playing)
@@ -260,7 +260,7 @@ function showAnimation() {
     at('animation').hidden = state.animations.length === 0;
     at('animate').replaceChildren(element('option', { value: -1, textContent: 'none' }),
         ...state.animations.map(({ name }, index) => element('option', { value: index, textContent: name })));
-    at('animate').value = state.animation;
+    choose(at('animate'), String(state.animation));
     at('moment').disabled = !(duration() > 0);
     at('play').textContent = state.playing ? 'Pause' : 'Play';
     at('play').setAttribute('aria-pressed', String(state.playing));

@@ -11,14 +11,15 @@ namespace {
 
 void show_choice(viewer::Session& session, const viewer::Playing& playing)
 {
-    const auto name_of = [&](int number) {
-        return number < 0 ? std::string("none") : playing.animations[static_cast<std::size_t>(number)].name;
-    };
-    if (!ImGui::BeginCombo("Animation##choice", name_of(playing.number).c_str()))
+    if (!ImGui::BeginCombo("Animation##choice", playing.now.name.c_str()))
         return;
-    for (int i = -1; i < static_cast<int>(playing.animations.size()); ++i)
-        if (ImGui::Selectable(text(name_of(i), "##", i).c_str(), i == playing.number))
-            session.animate(0, i);
+    if (ImGui::Selectable("none", playing.number < 0))
+        session.animate(0, -1);
+    for (std::size_t i = 0; i < playing.animations.size(); ++i) {
+        const int number = static_cast<int>(i);
+        if (ImGui::Selectable(text(playing.animations[i].name, "##", i).c_str(), number == playing.number))
+            session.animate(0, number);
+    }
     ImGui::EndCombo();
 }
 
@@ -31,8 +32,7 @@ void show_animation(viewer::Session& session)
         !ImGui::CollapsingHeader("Animation##group", ImGuiTreeNodeFlags_DefaultOpen))
         return;
     show_choice(session, playing);
-    const double seconds =
-        playing.number < 0 ? 0.0 : playing.animations[static_cast<std::size_t>(playing.number)].seconds;
+    const double seconds = playing.now.seconds;
     auto moment = static_cast<float>(playing.moment);
     if (seconds > 0.0 && ImGui::SliderFloat("Moment", &moment, 0.0f, static_cast<float>(seconds), "%.3f s",
                                             ImGuiSliderFlags_AlwaysClamp))

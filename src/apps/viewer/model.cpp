@@ -39,21 +39,20 @@ void Model::pose(const cli::RenderArguments& arguments)
     std::unique_ptr<scene::Scene> posed;
     if (moment)
         posed = std::make_unique<scene::Scene>(file_->pose(*moment));
-    for (const auto& [transfer, renderer] : renderers_)
-        renderer->pose(posed ? *posed : scene_);
-    posed_ = std::move(posed);
     moment_ = moment;
+    posed_.swap(posed); // the old one lives until nobody draws it
+    for (const auto& [transfer, renderer] : renderers_)
+        renderer->pose(posed_ ? *posed_ : scene_);
 }
 
 draw::Renderer& Model::renderer(draw::TexelTransfer transfer)
 {
-    std::unique_ptr<draw::Renderer>& renderer = renderers_[transfer];
-    if (!renderer) {
-        renderer = cli::make_renderer(backend_, scene_);
-        if (posed_)
-            renderer->pose(*posed_);
-    }
-    return *renderer;
+    if (const auto found = renderers_.find(transfer); found != renderers_.end())
+        return *found->second;
+    std::unique_ptr<draw::Renderer> renderer = cli::make_renderer(backend_, scene_);
+    if (posed_)
+        renderer->pose(*posed_);
+    return *renderers_.emplace(transfer, std::move(renderer)).first->second;
 }
 
 std::shared_ptr<const scene::Scene> Model::whole_scene() const

@@ -70,11 +70,12 @@ void Session::reset(std::uint64_t input)
     wish_.environment = old.environment;
     wish_.width = old.width;
     wish_.height = old.height;
-    playing_.reset();
+    play_from(std::nullopt);
     if (wish_.scene != start_.scene) {
         wish_.eye = first_eye(wish_.scene);
         wish_.animation.clear();
     }
+    forget_lost_animation();
     error_.clear();
     announce_ = true;
     touch(input);
@@ -85,7 +86,7 @@ void Session::animate(std::uint64_t input, double number)
     const std::lock_guard lock(mutex_);
     if (model_)
         viewer::animate(wish_, model_->scene().animations, number);
-    playing_.reset();
+    play_from(std::nullopt);
     announce_ = true;
     touch(input);
 }
@@ -102,14 +103,29 @@ void Session::seek(std::uint64_t input, double seconds)
 void Session::play(std::uint64_t input, bool on)
 {
     const std::lock_guard lock(mutex_);
-    playing_.reset();
+    play_from(std::nullopt);
     announce_ = true;
     touch(input);
     if (!on || !model_ || model_->scene().animations.empty())
         return;
     if (wish_.animation.empty())
         viewer::animate(wish_, model_->scene().animations, 0);
-    playing_ = Clock::now();
+    play_from(Clock::now());
+}
+
+void Session::play_from(const std::optional<Clock::time_point>& now)
+{
+    playing_ = now;
+    moves_ = now && duration() > 0.0;
+}
+
+// A file that was loaded again may have others.
+void Session::forget_lost_animation()
+{
+    if (!model_ || wish_.animation.empty() || animation_of(wish_, model_->scene().animations) >= 0)
+        return;
+    wish_.animation.clear();
+    play_from(std::nullopt);
 }
 
 // Of the animation that is wished; 0 without one.
@@ -125,8 +141,10 @@ double Session::duration() const
 // The wish is that of the moment: whoever looks late sees fewer of them.
 void Session::go_on_playing(Clock::time_point now, Clock::time_point& wake)
 {
+    if (!playing_)
+        return;
     const double seconds = duration();
-    if (!playing_ || !(seconds > 0.0) || in_flight_ >= most_in_flight)
+    if (!(seconds > 0.0) || in_flight_ >= most_in_flight)
         return;
     wake = std::min(wake, *playing_ + least_step);
     if (now - *playing_ < least_step)
@@ -190,7 +208,7 @@ void Session::close()
 
 bool Session::is_hungry() const
 {
-    return !closed_ && serial_ != drawn_serial_ && in_flight_ < most_in_flight;
+    return !closed_ && (moves_ || serial_ != drawn_serial_) && in_flight_ < most_in_flight;
 }
 
 void Session::set_error(const std::string& line)
@@ -217,7 +235,12 @@ Playing Session::playing_now() const
         return {};
     const std::vector<scene::AnimationInfo>& all = model_->scene().animations;
     const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), most_animations));
-    return {{all.begin(), end}, animation_of(wish_, all), wish_.moment, playing_.has_value()};
+    const int number = animation_of(wish_, all);
+    return {{all.begin(), end},
+            number,
+            number < 0 ? scene::AnimationInfo{"none", 0.0} : all[static_cast<std::size_t>(number)],
+            wish_.moment,
+            playing_.has_value()};
 }
 
 std::string Session::state_now() const
@@ -230,6 +253,7 @@ std::string Session::state_now() const
                                     {"lights", wish_.lights},
                                     {"command", command_of(wish_, "picture.png")},
                                     {"animation", playing.number},
+                                    {"seconds", playing.now.seconds},
                                     {"moment", playing.moment},
                                     {"playing", playing.on},
                                     {"width", wish_.width},

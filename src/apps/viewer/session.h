@@ -41,9 +41,10 @@ struct Plan {
 
 /// What a scene's animations are doing.
 struct Playing {
-    std::vector<scene::AnimationInfo> animations; ///< of the scene that is shown
-    int number = -1;                              ///< of the one that is wished; -1: none
-    double moment = 0.0;                          ///< seconds from its start
+    std::vector<scene::AnimationInfo> animations; ///< of the scene that is shown; of very many the first
+    int number = -1;          ///< of the one that is wished, which need not be among these; -1: none
+    scene::AnimationInfo now; ///< that one
+    double moment = 0.0;      ///< seconds from its start
     bool on = false;
 };
 
@@ -141,11 +142,14 @@ private:
     bool find_things(const Wish& wish);
     bool find_trace();
     double duration() const;
+    void forget_lost_animation();
+    void play_from(const std::optional<Clock::time_point>& now);
     void go_on_playing(Clock::time_point now, Clock::time_point& wake);
     bool is_compared() const;
     void set_error(const std::string& line);
     std::optional<Plan::Task> task_now(Clock::time_point now, Clock::time_point& wake);
     Plan planned(Plan::Task task);
+    std::optional<Plan> plan_now(Clock::time_point now, Clock::time_point& wake);
     Playing playing_now() const;
     std::string state_now() const;
 
@@ -170,6 +174,7 @@ private:
     std::atomic<int> in_flight_ = 0;
     std::atomic<bool> closed_ = false, saving_ = false;
     Clock::time_point last_input_{};
+    std::atomic<bool> moves_ = false; ///< an animation that takes time is playing
     std::optional<Clock::time_point>
         playing_; ///< since when the moment is that of the wish; unset: not playing
 };

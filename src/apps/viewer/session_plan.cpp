@@ -44,6 +44,7 @@ bool Session::find_things(const Wish& wish)
         environment_ = environment.value;
     if (changed) {
         announce_ = true;
+        forget_lost_animation();
         begin_anew();
     }
     return model_ && environment_;
@@ -63,8 +64,8 @@ bool Session::find_trace()
     if (trace_)
         return true;
     const Found<const RawEnvironment> raw = stock_.raw_environment(wish_.environment);
-    if (!raw.value || drawn_.values.empty())
-        return false; // it is being loaded, or the environment's error has been said already
+    if (!raw.value || raw.pending || drawn_.values.empty())
+        return false; // it is being loaded, maybe again, or the environment's error has been said already
     TraceTask task;
     task.arguments = planned(Plan::Task::rest).arguments;
     task.bounces = std::stoi(wish_.values["bounces"]);
@@ -110,7 +111,7 @@ void Session::look_for_opening()
     }
     wish_ = std::move(wish);
     if (opening_.is_scene)
-        playing_.reset();
+        play_from(std::nullopt);
     begin_anew();
 }
 
@@ -174,6 +175,21 @@ Plan Session::planned(Plan::Task task)
     return plan;
 }
 
+std::optional<Plan> Session::plan_now(Clock::time_point now, Clock::time_point& wake)
+{
+    look_for_opening();
+    go_on_playing(now, wake);
+    if (!find_things(wish_))
+        return std::nullopt;
+    const std::optional<Plan::Task> task = task_now(now, wake);
+    if (!task)
+        return std::nullopt;
+    Plan plan = planned(*task);
+    if (task != Plan::Task::save && task != Plan::Task::pick)
+        ++in_flight_;
+    return plan;
+}
+
 std::optional<Plan> Session::plan(Clock::time_point now, Clock::time_point& wake)
 {
     std::optional<Plan> plan;
@@ -182,14 +198,12 @@ std::optional<Plan> Session::plan(Clock::time_point now, Clock::time_point& wake
         const std::lock_guard lock(mutex_);
         if (closed_)
             return std::nullopt;
-        look_for_opening();
-        go_on_playing(now, wake);
-        if (find_things(wish_))
-            if (const std::optional<Plan::Task> task = task_now(now, wake)) {
-                plan = planned(*task);
-                if (task != Plan::Task::save && task != Plan::Task::pick)
-                    ++in_flight_;
-            }
+        try {
+            plan = plan_now(now, wake);
+        } catch (const Error& error) { // nothing of this wish can be drawn
+            set_error(error.what());
+            drawn_serial_ = still_ = rest_ = traced_ = serial_;
+        }
         if (std::exchange(announce_, false))
             state = state_now();
     }

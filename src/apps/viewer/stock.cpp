@@ -56,7 +56,8 @@ Stock::~Stock()
 
 void Stock::on_change(std::function<void()> changed)
 {
-    const std::lock_guard lock(mutex_);
+    std::unique_lock lock(mutex_);
+    done_.wait(lock, [this] { return !calling_; });
     changed_ = std::move(changed);
 }
 
@@ -73,7 +74,7 @@ Found<T> Stock::find(const std::string& key, const std::string& file, const Load
         waiting_.push_back(key);
         wake_.notify_all();
     }
-    return {std::static_pointer_cast<T>(slot.value), slot.error, !slot.loaded};
+    return {std::static_pointer_cast<T>(slot.value), slot.error, !slot.loaded || slot.busy};
 }
 
 Found<Model> Stock::model(const cli::RenderArguments& arguments)
@@ -168,11 +169,14 @@ void Stock::load_one(std::unique_lock<std::mutex>& lock)
     slot.busy = false;
     drop_unused();
     done_.notify_all();
-    const std::function<void()> changed = changed_;
+    if (!changed_)
+        return;
+    calling_ = true;
     lock.unlock();
-    if (changed)
-        changed();
+    changed_(); // nobody replaces it meanwhile
     lock.lock();
+    calling_ = false;
+    done_.notify_all();
 }
 
 void Stock::look_at_files()

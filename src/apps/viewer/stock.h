@@ -46,7 +46,8 @@ public:
     Stock& operator=(const Stock&) = delete;
     ~Stock();
 
-    /// Called, from the loading thread, whenever something asked for was loaded or failed to.
+    /// Called, from the loading thread, whenever something asked for was loaded or failed to. Waits for a call that is under
+    /// way: what the old function used may then go.
     void on_change(std::function<void()> changed);
 
     /// The scene that the arguments name, with their options for built-in shapes. Never waits.
@@ -91,7 +92,7 @@ private:
     std::deque<std::string> waiting_;
     std::function<void()> changed_;
     std::uint64_t clock_ = 0;
-    bool ending_ = false;
+    bool ending_ = false, calling_ = false;
     std::thread thread_; ///< last: it uses the others
 };
 

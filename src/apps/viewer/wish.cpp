@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <variant>
@@ -44,9 +45,9 @@ Eye first_eye(const std::string& scene)
 Wish first_wish(const cli::StartArguments& start)
 {
     const cli::RenderArguments& picture = start.picture;
-    Wish wish{picture.scene, picture.environment, {}, first_eye(picture.scene), start.lights};
+    Wish wish{picture.scene, picture.environment, {}, first_eye(picture.scene), {}};
+    set_lights(wish, start.lights);
     set_size(wish, picture.settings.width, picture.settings.height);
-    bool pose = false;
     for (const auto& [name, word] : start.words) {
         if (name == "camera")
             wish.eye = eye_of(word, picture.target);
@@ -55,15 +56,11 @@ Wish first_wish(const cli::StartArguments& start)
         else if (name == "density")
             wish.density = word;
         else if (name == "animation" || name == "moment")
-            pose = true;
+            continue; // load_first knows which there are
         else if (name == "env-rotation")
             turn_environment(wish, cli::parse_number(word, name));
         else if (name != "size" && name != "target")
             wish.values.set(name, word);
-    }
-    if (pose) {
-        wish.animation = picture.animation.empty() ? "0" : picture.animation;
-        wish.moment = picture.moment.value_or(0.0);
     }
     if (!picture.settings.energy_compensation)
         wish.fixed.emplace_back("--no-energy-compensation");
@@ -104,19 +101,20 @@ void set_lights(Wish& wish, const std::vector<std::string>& lights)
 
 void animate(Wish& wish, const std::vector<scene::AnimationInfo>& animations, double number)
 {
+    if (!(number < static_cast<double>(animations.size())) || (number >= 0.0 && number != std::floor(number)))
+        throw Error(Failure::usage, text("there is no animation ", number));
     wish.moment = 0.0;
     wish.animation.clear();
     if (number < 0.0)
         return;
-    if (!(number < static_cast<double>(animations.size())) || number != std::floor(number))
-        throw Error(Failure::usage, text("there is no animation ", number));
-    // By its name, unless that is another's name or number, too.
+    // By its name, unless that cannot be typed, or is another's name or number, too.
     const auto index = static_cast<std::size_t>(number);
-    for (const std::string& word : {animations[index].name, text(index)}) {
-        wish.animation = word;
-        if (animation_of(wish, animations) == static_cast<int>(index))
-            return;
-    }
+    const std::string& name = animations[index].name;
+    if (std::none_of(name.begin(), name.end(),
+                     [](char c) { return std::iscntrl(static_cast<unsigned char>(c)); }))
+        wish.animation = name;
+    if (animation_of(wish, animations) != static_cast<int>(index))
+        wish.animation = text(index);
 }
 
 int animation_of(const Wish& wish, const std::vector<scene::AnimationInfo>& animations)

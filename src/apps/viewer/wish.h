@@ -26,7 +26,7 @@ struct Wish {
 constexpr std::size_t most_lights = 16;
 constexpr int most_pixels = 2560 * 1600;
 
-/// What a command line asks to see at first. Throws Error(usage) where a value is none that can be set (parameters.cpp).
+/// What a command line asks to see at first, without its animation and the camera of the scene. Throws Error(usage) where a value is none that can be set (parameters.cpp).
 Wish first_wish(const cli::StartArguments& start);
 
 /// Where a scene is looked at from at first.
