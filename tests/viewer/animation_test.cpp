@@ -173,26 +173,22 @@ TEST_F(Animations, OneThatIsGoneIsForgotten)
     EXPECT_TRUE(nlohmann::json::parse(seat.session->state())["error"].get<std::string>().empty());
 }
 
-// Somebody else's long picture is left for who plays.
-TEST_F(Animations, PlayingGoesOnBesideALongPicture)
+// Whoever plays always waits for the next picture: others' long ones are left for it.
+TEST_F(Animations, WhoPlaysIsHungry)
 {
-    Wish long_wish = small_wish("grid");
-    long_wish.values.set("samples", "1024");
-    set_size(long_wish, 2560.0, 1600.0);
-    Seat player(desk, stock, wish());
-    player.wait_for(Picture::Kind::rest, 0);
-    player.session->play(1, true);
-    Seat other(desk, stock, long_wish);
-    other.wait_for(Picture::Kind::still, 0);
-    const auto is_done = [&] {
-        const std::lock_guard lock(other.audience->mutex);
-        return !other.audience->pictures.empty();
-    };
-    int frames = 0;
-    for (; !is_done(); ++frames)
-        player.wait_for(Picture::Kind::moving, 1);
-    EXPECT_GT(frames, Session::most_in_flight); // more than were on their way
-    player.session->play(2, false);
+    Seat seat(desk, stock, wish());
+    seat.wait_for(Picture::Kind::rest, 0);
+    EXPECT_FALSE(seat.session->is_hungry());
+    seat.session->play(1, true);
+    for (int i = 0; i < 5; ++i) {
+        EXPECT_TRUE(seat.session->is_hungry());
+        desk.nudge();
+        seat.wait_for(Picture::Kind::moving, 1);
+    }
+    seat.session->play(2, false);
+    desk.nudge();
+    seat.wait_for(Picture::Kind::rest, 2);
+    EXPECT_FALSE(seat.session->is_hungry());
 }
 
 } // namespace
