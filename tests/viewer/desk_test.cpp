@@ -165,6 +165,25 @@ TEST(Desk, ChangesThatAreRefusedChangeNothing)
     EXPECT_THROW(seat.session->save("exe"), Error);
 }
 
+TEST(Desk, ALayerThatAModelDoesNotHaveIsSaid)
+{
+    Stock stock({.cache = false});
+    Desk desk(stock);
+    Wish wish = small_wish("sphere");
+    wish.values.set("model", "phong");
+    Seat seat(desk, stock, wish);
+    const std::vector<std::uint8_t> picture = seat.wait_for(Picture::Kind::rest, 0).codes.bytes;
+    seat.change(1, [](Wish& w, const Eye::World&) { w.values.set("layer", "metalness"); });
+    EXPECT_EQ(seat.wait_for(Picture::Kind::rest, 1).codes.bytes, picture);
+    EXPECT_TRUE(seat.audience->wait([&] {
+        return seat.audience->states.back().find("the model phong has no layer metalness") !=
+               std::string::npos;
+    }));
+    seat.change(2, [](Wish& w, const Eye::World&) { w.values.set("model", "ggx"); });
+    EXPECT_NE(seat.wait_for(Picture::Kind::rest, 2).codes.bytes, picture);
+    EXPECT_TRUE(nlohmann::json::parse(seat.session->state())["error"].get<std::string>().empty());
+}
+
 TEST(Desk, EveryLayerCanBeLookedAt)
 {
     Stock stock({.cache = false});

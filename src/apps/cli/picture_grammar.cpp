@@ -252,7 +252,7 @@ StartArguments PictureGrammar::start() const
 {
     StartArguments start{result(), words_.given(), words_.lights};
     if (start.picture.common.stats_json)
-        throw Error(Failure::usage, "--stats: a viewer's work has no end to be told at");
+        throw Error(Failure::usage, "--stats: not with viewers, which run until they are ended");
     return start;
 }
 

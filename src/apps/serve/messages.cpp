@@ -121,20 +121,20 @@ const std::map<std::string, Action, std::less<>>& actions()
         {"animate", [](const Said& s) { s.session.animate(s.id, s.number("number")); }},
         {"moment", [](const Said& s) { s.session.seek(s.id, s.number("seconds")); }},
         {"play", [](const Said& s) { s.session.play(s.id, s.yes("on")); }},
-        {"focus", [](const Said& s) { s.session.focus(s.number("x"), s.number("y")); }},
+        {"focus", [](const Said& s) { s.session.focus(s.number("x"), s.number("y"), s.id); }},
         {"reset", [](const Said& s) { s.session.reset(s.id); }},
         {"save", [](const Said& s) { s.session.save(s.word("kind")); }},
         {"scene",
          [](const Said& s) {
              const std::string name = s.word("name");
              s.files.check_scene(name);
-             s.session.open_scene(name);
+             s.session.open_scene(name, s.id);
          }},
         {"environment",
          [](const Said& s) {
              const std::string name = s.word("name");
              s.files.check_environment(name);
-             s.session.open_environment(name);
+             s.session.open_environment(name, s.id);
          }},
     };
     return actions;

@@ -7,22 +7,25 @@
 #include "apps/view/view.h"
 #include "apps/viewer/load_first.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace lambent::view_window {
 namespace {
 
-Memory remembered(const cli::StartArguments& start, const cli::Console& console)
+Memory remembered(const cli::Console& console)
 {
     std::string complaint;
     Memory memory = load_memory(complaint);
     if (!complaint.empty())
         console.warn({complaint});
-    for (const auto& [name, word] : start.words)
-        if (name == "size")
-            memory.place = {start.picture.settings.width, start.picture.settings.height, memory.place.corner,
-                            false};
     return memory;
+}
+
+bool has_size(const cli::StartArguments& start)
+{
+    return std::any_of(start.words.begin(), start.words.end(),
+                       [](const auto& option) { return option.first == "size"; });
 }
 
 std::vector<std::filesystem::path> folders(const cli::RenderArguments& picture)
@@ -40,14 +43,20 @@ void run(const cli::ViewArguments& arguments)
     const cli::RenderArguments& picture = arguments.start.picture;
     const cli::ThreadLimit limit(picture.common.threads);
     const cli::Console console(picture.common.verbosity);
-    const Memory memory = remembered(arguments.start, console);
+    const Memory before = remembered(console);
+    Memory memory = before;
+    if (has_size(arguments.start))
+        memory.place = {picture.settings.width, picture.settings.height, before.place.corner, false};
     viewer::Stock stock(
         {picture.cache, picture.backend, [&](const std::string& line) { console.warn({line}); }});
     const viewer::Wish start = viewer::load_first(arguments.start, stock, console);
     // Until here there is nothing to lose.
     const cli::Interrupt interrupt;
     View view(start, memory, viewer::FileList(folders(picture)), stock);
-    keep_memory(view.run([&] { return interrupt.asked(); }));
+    memory = view.run([&] { return interrupt.asked(); });
+    if (has_size(arguments.start)) // a size for once
+        memory.place = before.place;
+    keep_memory(memory);
 }
 
 } // namespace lambent::view_window

@@ -37,15 +37,21 @@ std::string layer_name(const Plan& plan)
         return plan.layer;
     if (plan.layer == "base_color")
         return "diffuse";
-    return plan.layer == "alpha" || plan.layer == "roughness" ? "exponent" : plan.layer;
+    return plan.layer == "alpha" ? "exponent" : plan.layer;
+}
+
+// Null where the picture itself is asked for, or a layer that its model does not have.
+const draw::Layer* layer_of(const Plan& plan, const draw::Frame& frame)
+{
+    const auto found = std::find_if(frame.layers.begin(), frame.layers.end(),
+                                    [&](const draw::Layer& layer) { return layer.name == layer_name(plan); });
+    return plan.layer == "picture" || found == frame.layers.end() ? nullptr : &*found;
 }
 
 image::CodeImage codes_of(const Plan& plan, const draw::Frame& frame)
 {
-    if (plan.layer != "picture")
-        for (const draw::Layer& layer : frame.layers)
-            if (layer.name == layer_name(plan))
-                return cli::layer_picture(layer, plan.arguments.display);
+    if (const draw::Layer* const layer = layer_of(plan, frame))
+        return cli::layer_picture(*layer, plan.arguments.display);
     return cli::picture_codes(frame.radiance, plan.arguments.display, is_transparent(plan));
 }
 
@@ -210,6 +216,8 @@ void Desk::draw(const Plan& plan, Session& session, std::chrono::milliseconds sl
     draw::Renderer& renderer = plan.model->renderer(settings.texel_transfer);
     draw::Frame frame = renderer.draw(environment ? &*environment : nullptr, settings, check);
     show(plan, frame, ms_since(start), session);
+    if (plan.task == Task::rest && plan.layer != "picture" && !layer_of(plan, frame))
+        session.complain(text("the model phong has no layer ", plan.layer, ": this is the picture"));
     if (plan.is_compared)
         session.drawn(plan, std::move(frame.radiance));
     session.done(plan, ms_since(start));

@@ -155,18 +155,18 @@ void Session::go_on_playing(Clock::time_point now, Clock::time_point& wake)
     touch(0);
 }
 
-void Session::open_scene(const std::string& name)
+void Session::open_scene(const std::string& name, std::uint64_t input)
 {
     const std::lock_guard lock(mutex_);
-    opening_ = {true, name};
+    opening_ = {true, name, input};
     announce_ = true;
     error_.clear();
 }
 
-void Session::open_environment(const std::string& name)
+void Session::open_environment(const std::string& name, std::uint64_t input)
 {
     const std::lock_guard lock(mutex_);
-    opening_ = {false, name};
+    opening_ = {false, name, input};
     announce_ = true;
     error_.clear();
 }
@@ -177,10 +177,11 @@ bool Session::is_opening() const
     return !opening_.name.empty();
 }
 
-void Session::focus(double x, double y)
+void Session::focus(double x, double y, std::uint64_t input)
 {
     const std::lock_guard lock(mutex_);
     place_ = {std::clamp(x, 0.0, 1.0), std::clamp(y, 0.0, 1.0)};
+    place_input_ = input;
 }
 
 void Session::save(const std::string& kind)

@@ -80,14 +80,14 @@ public:
     Playing playing() const;
 
     /// Another scene or environment, once it is loaded; what cannot be is said in the state.
-    void open_scene(const std::string& name);
-    void open_environment(const std::string& name);
+    void open_scene(const std::string& name, std::uint64_t input = 0);
+    void open_environment(const std::string& name, std::uint64_t input = 0);
 
     /// Whether one is being opened: another asked for meanwhile takes its place.
     bool is_opening() const;
 
     /// The surface at this place, in parts of the picture from its top left, becomes its middle.
-    void focus(double x, double y);
+    void focus(double x, double y, std::uint64_t input = 0);
 
     /// The picture as a file: "png" or "jpg". Throws Error(usage) for others, or if one is being saved.
     void save(const std::string& kind);
@@ -113,6 +113,10 @@ public:
     /// The plan's trace has come to its end.
     void traced(const Plan& plan);
     void failed(const Plan& plan, const std::string& line);
+
+    /// Something to be said about what is shown, in one line.
+    void complain(const std::string& line);
+
     void picked(const glm::dvec3& point, const Plan& plan);
 
     /// Whether what is drawn by this plan is no longer wanted.
@@ -133,6 +137,7 @@ private:
     struct Opening {
         bool is_scene = false;
         std::string name; ///< empty: nothing is being opened
+        std::uint64_t input = 0;
     };
 
     void touch(std::uint64_t input);
@@ -168,7 +173,8 @@ private:
     bool pending_ = true;            ///< what is wished is still being loaded
     bool announce_ = true;           ///< the state is to be said
     std::string save_kind_;
-    std::optional<std::array<double, 2>> place_;
+    std::optional<std::array<double, 2>> place_; ///< to be looked at, asked for by place_input_
+    std::uint64_t place_input_ = 0;
     std::atomic<std::uint64_t> serial_ = 1, drawn_serial_ = 0;
     std::uint64_t still_ = 0, rest_ = 0, traced_ = 0, input_ = 0;
     std::atomic<int> in_flight_ = 0;

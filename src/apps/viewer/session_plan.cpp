@@ -112,6 +112,7 @@ void Session::look_for_opening()
     wish_ = std::move(wish);
     if (opening_.is_scene)
         play_from(std::nullopt);
+    input_ = std::max(input_, opening_.input);
     begin_anew();
 }
 
@@ -263,11 +264,17 @@ void Session::failed(const Plan& plan, const std::string& line)
     drawn_serial_ = still_ = rest_ = traced_ = plan.serial;
 }
 
+void Session::complain(const std::string& line)
+{
+    const std::lock_guard lock(mutex_);
+    set_error(line);
+}
+
 void Session::picked(const glm::dvec3& point, const Plan&)
 {
     const std::lock_guard lock(mutex_);
     wish_.eye.look_at(world(), point);
-    touch(0);
+    touch(place_input_);
 }
 
 } // namespace lambent::viewer

@@ -34,6 +34,15 @@ Eye eye_of(const std::string& word, const std::optional<glm::vec3>& target)
     return {numbers[0], numbers[1], numbers[2], target ? std::optional(glm::dvec3(*target)) : std::nullopt};
 }
 
+void set_option(Values& values, const std::string& name, const std::string& word)
+{
+    try {
+        values.set(name, word);
+    } catch (const Error& error) {
+        throw Error(Failure::usage, text("--", error.what())); // it begins with the name
+    }
+}
+
 } // namespace
 
 Eye first_eye(const std::string& scene)
@@ -46,6 +55,9 @@ Wish first_wish(const cli::StartArguments& start)
 {
     const cli::RenderArguments& picture = start.picture;
     Wish wish{picture.scene, picture.environment, {}, first_eye(picture.scene), {}};
+    if (start.lights.size() > most_lights)
+        throw Error(Failure::usage,
+                    text("--light: ", start.lights.size(), " are more than a viewer's ", most_lights));
     set_lights(wish, start.lights);
     set_size(wish, picture.settings.width, picture.settings.height);
     for (const auto& [name, word] : start.words) {
@@ -60,7 +72,7 @@ Wish first_wish(const cli::StartArguments& start)
         else if (name == "env-rotation")
             turn_environment(wish, cli::parse_number(word, name));
         else if (name != "size" && name != "target")
-            wish.values.set(name, word);
+            set_option(wish.values, name, word);
     }
     if (!picture.settings.energy_compensation)
         wish.fixed.emplace_back("--no-energy-compensation");
