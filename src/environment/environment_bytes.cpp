@@ -52,7 +52,8 @@ public:
             good_ = false;
             return;
         }
-        std::memcpy(values, left_.data(), count * sizeof(Value));
+        if (count > 0) // an empty vector's data may be null
+            std::memcpy(values, left_.data(), count * sizeof(Value));
         left_ = left_.subspan(count * sizeof(Value));
     }
 
