@@ -20,7 +20,11 @@ json settings(const std::string& path)
 }
 
 // Slow enough to be closed meanwhile.
+#ifdef __SANITIZE_ADDRESS__
+const std::vector<std::string> slow = {"teapot", "--samples", "100"};
+#else
 const std::vector<std::string> slow = {"teapot", "--samples", "1024", "--aa", "16"};
+#endif
 
 TEST_F(ViewWindow, ClosingWaitsForWhatIsBeingSaved)
 {

@@ -2,10 +2,12 @@
 
 #include "base/text.h"
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <thread>
 
 namespace lambent::testing {
 
@@ -88,10 +90,17 @@ void ViewWindow::expect_end()
     EXPECT_EQ(program_->wait(60.0), 0) << log();
 }
 
-void ViewWindow::expect_saved(std::vector<std::string> render)
+std::string ViewWindow::saved(const std::string& name)
 {
     press("s");
-    look();
+    for (int i = 0; i < 600 && !std::filesystem::exists(path(name)); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    return contents(path(name)); // written beside and then renamed: all of it is there
+}
+
+void ViewWindow::expect_saved(std::vector<std::string> render)
+{
+    saved("picture.png");
     expect_end();
     render.insert(render.begin(), "render");
     render.insert(render.end(), {"-o", path("drawn.png")});

@@ -46,6 +46,9 @@ protected:
     std::string log() const { return contents(path("view.log")); }
     bool is_titled(const std::string& name) const;
 
+    /// Presses S; what is in the file then, once it is there; "" if it does not come.
+    std::string saved(const std::string& name);
+
     /// Presses S, ends the program and expects the file to be what `lambent render` writes by these words.
     void expect_saved(std::vector<std::string> render);
     void expect_end();
