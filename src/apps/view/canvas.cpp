@@ -3,6 +3,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include <bit>
 #include <cstdint>
 
 namespace lambent::view_window {
@@ -40,7 +41,7 @@ void Canvas::draw() const
     // Without its alpha: what is behind the picture is nothing.
     ImDrawList* const list = ImGui::GetBackgroundDrawList();
     list->AddRectFilled({0, 0}, size, IM_COL32(26, 26, 26, 255));
-    list->AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture_)), {0, 0}, size);
+    list->AddImage(std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(texture_)), {0, 0}, size);
 }
 
 } // namespace lambent::view_window

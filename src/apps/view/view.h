@@ -39,7 +39,7 @@ private:
     void act(const Pressed& pressed, const Asked& asked);
     void take_news();
     void take_picture(const viewer::Picture& picture);
-    void take_state(const std::string& state);
+    void take_state(const std::string& words);
     void write(const viewer::Saved& saved);
     void give_up_saving(const std::string& why);
     void follow_size();
