@@ -50,6 +50,7 @@ std::uint32_t number(const std::string& bytes, std::size_t index)
 Running::Running(const std::vector<std::string>& words, const std::string& output)
 {
     std::vector<char*> pointers;
+    pointers.reserve(words.size() + 1);
     for (const std::string& word : words)
         pointers.push_back(const_cast<char*>(word.c_str()));
     pointers.push_back(nullptr);

@@ -223,7 +223,7 @@ TEST(Desk, TheReferenceFollowsThePictureWithItsError)
     EXPECT_GT(traced.traced->noise, 0.0);
 
     const testing::Folder folder;
-    const auto run = [&](std::vector<std::string> words) {
+    const auto run = [&](const std::vector<std::string>& words) {
         const testing::Outcome outcome = testing::run_program(LAMBENT_PROGRAM, words);
         EXPECT_EQ(outcome.code, 0) << outcome.error;
         return outcome.output;

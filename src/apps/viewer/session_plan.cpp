@@ -205,7 +205,8 @@ std::optional<Plan> Session::plan(Clock::time_point now, Clock::time_point& wake
             set_error(error.what());
             drawn_serial_ = still_ = rest_ = traced_ = serial_;
         }
-        if (std::exchange(announce_, false))
+        // Before the picture at rest: whoever sees that knows its command.
+        if (std::exchange(announce_, false) || (plan && plan->task == Plan::Task::rest))
             state = state_now();
     }
     if (!state.empty())
@@ -215,24 +216,17 @@ std::optional<Plan> Session::plan(Clock::time_point now, Clock::time_point& wake
 
 void Session::done(const Plan& plan, double milliseconds)
 {
-    std::string state;
-    {
-        const std::lock_guard lock(mutex_);
-        if (plan.task == Plan::Task::moving) {
-            pace_.made(plan.scale, milliseconds);
-            drawn_serial_ = plan.serial;
-        }
-        if (plan.task == Plan::Task::save)
-            saving_ = !save_kind_.empty();
-        if (plan.task == Plan::Task::still)
-            still_ = plan.serial;
-        if (plan.task == Plan::Task::rest) {
-            rest_ = plan.serial;
-            state = state_now();
-        }
+    const std::lock_guard lock(mutex_);
+    if (plan.task == Plan::Task::moving) {
+        pace_.made(plan.scale, milliseconds);
+        drawn_serial_ = plan.serial;
     }
-    if (!state.empty())
-        presenter_->say(state);
+    if (plan.task == Plan::Task::save)
+        saving_ = !save_kind_.empty();
+    if (plan.task == Plan::Task::still)
+        still_ = plan.serial;
+    if (plan.task == Plan::Task::rest)
+        rest_ = plan.serial;
 }
 
 void Session::drawn(const Plan& plan, image::RadianceImage light)
