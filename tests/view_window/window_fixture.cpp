@@ -90,6 +90,14 @@ void ViewWindow::expect_end()
     EXPECT_EQ(program_->wait(60.0), 0) << log();
 }
 
+Screenshot ViewWindow::look_changed(const Screenshot& before, const Screenshot::Area& area,
+                                    double least) const
+{
+    for (int i = 0; i < 100 && !(desktop_->look().difference(before, area) > least); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    return look();
+}
+
 std::string ViewWindow::saved(const std::string& name)
 {
     press("s");

@@ -42,6 +42,9 @@ protected:
     void type_path(const std::string& path) const;
 
     Screenshot look() const { return desktop_->look_at_rest(30.0); }
+
+    /// The screen at rest, after a part of it has changed by more than `least`, for which it waits.
+    Screenshot look_changed(const Screenshot& before, const Screenshot::Area& area, double least) const;
     std::string path(const std::string& name) const { return desktop_->folder().path(name); }
     std::string log() const { return contents(path("view.log")); }
     bool is_titled(const std::string& name) const;
