@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -64,7 +65,8 @@ const std::set<std::string> inputs = {"model.glb", "panorama.hdr", "picture.exr"
 // A server at any free port, ended as soon as it says where it is.
 Outcome run_server(const Folder& folder, const Command& command)
 {
-    std::string line = std::string("'") + LAMBENT_PROGRAM + "'";
+    std::string line =
+        std::string(": >\"$0\"; '") + LAMBENT_PROGRAM + "'"; // looked into before it is written
     for (const std::string& word : command)
         line += " '" + word + "'";
     line += " --port 0 >\"$0\" & pid=$!; while kill -0 $pid && ! grep -q http \"$0\"; do sleep 0.05; done; "
@@ -104,6 +106,11 @@ fs::path run_in(const Folder& folder, Command command)
             word = folder.path(word);
     }
     const Outcome outcome = run_command(folder, command);
+    if (outcome.code == 4 && !std::getenv("LAMBENT_REQUIRE_VULKAN") &&
+        std::find(command.begin(), command.end(), "vulkan") != command.end()) {
+        std::printf("skipped: %s", outcome.error.c_str());
+        return {};
+    }
     EXPECT_EQ(outcome.code, 0) << outcome.error;
     EXPECT_EQ(outcome.error, "");
     if (!output.empty()) {

@@ -322,7 +322,7 @@ TEST(ServeCommand, SaysWhereItIsAndEndsWithTheSignal)
     const testing::Folder folder;
     const testing::Outcome outcome = testing::run_program(
         "/bin/sh", {"-c",
-                    std::string(LAMBENT_PROGRAM) +
+                    ": >\"$0\"; " + std::string(LAMBENT_PROGRAM) +
                         " serve plane --env none --port 0 > \"$0\" & pid=$!; while ! grep -q http \"$0\"; do "
                         "sleep 0.05; done; cat \"$0\"; kill -INT $pid; wait $pid",
                     folder.path("out")});
