@@ -215,13 +215,17 @@ async function themes({ open }) {
             await expectTheme(page, scheme);
             await page.emulateMedia({ colorScheme: other[scheme] });
             await expectTheme(page, other[scheme]);
-            await page.locator('.theme').click();
-            await expectTheme(page, scheme);
             const stored = () => page.evaluate(() => localStorage.getItem('lambent-theme'));
-            assert.ok([scheme, null].includes(await stored()), 'what is stored is what was chosen');
-            await page.reload();
-            // Under load Chromium now and then reloads without what was stored a moment before.
-            await expectTheme(page, await stored() ?? other[scheme]);
+            let canStore = true;
+            // Under load Chromium now and then reloads without what was stored a moment before: then once more.
+            for (let tries = 0; tries < 3; ++tries) {
+                await page.locator('.theme').click();
+                await expectTheme(page, scheme);
+                canStore = await stored() === scheme;
+                await page.reload();
+                if (!canStore || await stored()) break;
+            }
+            await expectTheme(page, canStore ? scheme : other[scheme]);
         });
 }
 
