@@ -96,12 +96,21 @@ struct Grammar {
     CLI::App* env_command = nullptr;
     CLI::App* info_command = nullptr;
 
-    Grammar()
+    /// Of all commands; for `render` of that alone, as viewers ask for it many times a second.
+    explicit Grammar(std::string_view command)
     {
         app.set_version_flag("--version", text("lambent ", version));
         app.require_subcommand(1);
         app.footer("SCENE: a .gltf or .glb file, or sphere, teapot, plane, report, painted, grid, furnace.\n"
                    "'lambent COMMAND --help' lists a command's options.");
+        if (command == "render")
+            add_render();
+        else
+            add_all();
+    }
+
+    void add_all()
+    {
         add_render();
         bake.add(app);
         add_reference();
@@ -224,7 +233,7 @@ Arguments parse_arguments(int count, const char* const* words)
 {
     if (count < 2)
         throw Error(Failure::usage, "no command given; lambent --help lists them");
-    Grammar grammar;
+    Grammar grammar(words[1]);
     try {
         grammar.app.parse(count, words);
     } catch (const CLI::CallForHelp&) {
