@@ -128,9 +128,14 @@ void Tracer::round(const GoOn& go_on)
     noise_seconds_ = seconds();
 }
 
+// Half a round ends by time alone: its noise is that of no whole picture, and says nothing of what would have come.
 bool Tracer::reached_limit() const
 {
-    return samples_ >= settings_.samples || seconds() >= settings_.seconds ||
+    if (seconds() >= settings_.seconds)
+        return true;
+    if (!wanted_.empty())
+        return false;
+    return samples_ >= settings_.samples ||
            (settings_.noise > 0.0 && samples_ >= 2 * Film::replicates && noise_ <= settings_.noise);
 }
 

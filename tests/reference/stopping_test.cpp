@@ -123,13 +123,11 @@ TEST(ReferenceStopping, AnEmptySceneIsBlack)
 }
 
 // Told to stop at every turn, the tracer ends with the samples of one that was not: bit by bit.
-TEST(ReferenceStopping, InPiecesItIsTheSame)
+void expect_same_in_pieces(const Settings& settings)
 {
     const scene::Scene scene = scene_of(facing_square(3.0f, -0.5f), metallic(0.6f, 0.0f, 0.9f));
     const image::RadianceImage light =
         panorama_of(64, [](const glm::dvec3& d) { return glm::dvec3(1.0 + d.x, 1.0, 1.5 + d.y); });
-    Settings settings = small_settings(48, 2.0f, 64);
-    settings.adaptive = true;
     const Result whole = trace(scene, &light, settings);
     Tracing tracing(scene, &light, settings);
     int pieces = 0;
@@ -143,6 +141,25 @@ TEST(ReferenceStopping, InPiecesItIsTheSame)
     EXPECT_EQ(result.variance.values, whole.variance.values);
     EXPECT_EQ(result.samples, whole.samples);
     EXPECT_EQ(result.noise, whole.noise);
+}
+
+TEST(ReferenceStopping, InPiecesItIsTheSame)
+{
+    Settings settings = small_settings(48, 2.0f, 64);
+    settings.adaptive = true;
+    expect_same_in_pieces(settings);
+}
+
+// Part of a round may look quiet enough where the whole is not, or is not reached: only whole rounds end it.
+TEST(ReferenceStopping, InPiecesItEndsAtTheSameNoise)
+{
+    for (const double noise : {0.05, 0.04, 0.03, 0.025, 0.02, 0.015, 0.01}) {
+        SCOPED_TRACE(noise);
+        Settings settings = small_settings(48, 2.0f, 1 << 12);
+        settings.adaptive = true;
+        settings.noise = noise;
+        expect_same_in_pieces(settings);
+    }
 }
 
 } // namespace
