@@ -9,6 +9,22 @@
 namespace lambent::draw {
 namespace {
 
+class ScriptedDrawing : public Drawing {
+public:
+    explicit ScriptedDrawing(const std::function<void()>& act) : act_(act) {}
+
+    bool advance(const GoOn& go_on) override
+    {
+        act_();
+        return !go_on || go_on(0.5f);
+    }
+
+    Frame take() override { return {}; }
+
+private:
+    const std::function<void()>& act_;
+};
+
 class Scripted : public Renderer {
 public:
     using Poses = std::vector<const scene::Scene*>;
@@ -18,10 +34,9 @@ public:
     {
     }
 
-    Frame draw(const environment::Environment*, const Settings&, const std::function<void(float)>&) override
+    std::unique_ptr<Drawing> start(const environment::Environment*, const Settings&) override
     {
-        act_();
-        return {};
+        return std::make_unique<ScriptedDrawing>(act_);
     }
 
     void pose(const scene::Scene& scene) override { poses_.push_back(&scene); }
@@ -99,6 +114,25 @@ TEST(RescuedRenderer, TheOtherTakesThePoseOver)
     renderer->pose(third);
     EXPECT_EQ(stage.device_poses.size(), 2u);
     EXPECT_EQ(stage.other_poses, (Scripted::Poses{&second, &third}));
+}
+
+// One drawing meets the failure; another that was begun before must not go on on the device that is gone.
+TEST(RescuedRenderer, PicturesThatWereBegunAreBegunAnew)
+{
+    Stage stage;
+    const std::unique_ptr<Renderer> renderer = stage.make();
+    const std::unique_ptr<Drawing> first = renderer->start(nullptr, {}),
+                                   second = renderer->start(nullptr, {});
+    const auto stop = [](float) { return false; };
+    EXPECT_FALSE(first->advance(stop));
+    EXPECT_FALSE(second->advance(stop));
+    EXPECT_EQ(stage.device_draws, 2);
+    stage.trouble = [] { throw Error(Failure::no_device, "the device was lost"); };
+    EXPECT_TRUE(first->advance({}));
+    EXPECT_TRUE(second->advance({}));
+    EXPECT_EQ(stage.device_draws, 3);
+    EXPECT_EQ(stage.other_draws, 2);
+    EXPECT_EQ(stage.others_made, 1);
 }
 
 TEST(RescuedRenderer, WhatIsNotTheDevicesFaultIsPassedOn)

@@ -321,6 +321,30 @@ TEST_F(PictureParity, MoreSurfacesThanRoom)
     EXPECT_EQ(renderer->complaints(), std::vector<std::string>());
 }
 
+// Wider than a tile is: drawn bit by bit, with another picture and another pose between, it is the same.
+TEST_F(PictureParity, InPiecesItIsTheSame)
+{
+    const test::LeaksOfDrivers allowed;
+    const scene::Scene scene = testing::pose_scene(0.0f), moved = testing::pose_scene(1.0f);
+    Settings settings = settings_for(scene, Model::ggx);
+    settings.width = 4200;
+    settings.height = 4;
+    const std::unique_ptr<VulkanRenderer> renderer = make_vulkan_renderer(scene, {true, true, {}});
+    const Frame wanted = renderer->draw(&kitchen(), settings);
+    const std::unique_ptr<Drawing> drawing = renderer->start(&kitchen(), settings);
+    EXPECT_FALSE(drawing->advance([](float) { return false; }));
+    renderer->pose(moved);
+    renderer->draw(nullptr, settings_for(scene, Model::ggx));
+    renderer->pose(scene);
+    EXPECT_TRUE(drawing->advance({}));
+    const Frame found = drawing->take();
+    EXPECT_EQ(found.radiance.values, wanted.radiance.values);
+    ASSERT_EQ(found.passes.size(), wanted.passes.size());
+    for (std::size_t i = 0; i < found.passes.size(); ++i)
+        EXPECT_EQ(found.passes[i].first, wanted.passes[i].first);
+    EXPECT_EQ(renderer->complaints(), std::vector<std::string>());
+}
+
 // Another moment is drawn as by a renderer of its own, with the textures of the first.
 TEST_F(PictureParity, APoseIsAsAScene)
 {

@@ -106,6 +106,78 @@ TEST(Desk, AMoveOvertakesALongPicture)
     EXPECT_EQ(seat.wait_for(Picture::Kind::rest, 2).input, 2u);
 }
 
+Wish slow_wish()
+{
+    Wish wish = small_wish("grid");
+    wish.values.set("samples", "500");
+    set_size(wish, 320.0, 240.0);
+    return wish;
+}
+
+void orbit(Seat& seat, std::uint64_t input)
+{
+    seat.change(input, [](Wish& w, const Eye::World&) { w.eye.orbit(5.0, 0.0); });
+}
+
+// Who moves without end is shown it, and who rests gets the whole picture all the same.
+TEST(Desk, ALongPicturePausesWhileOthersMove)
+{
+    Stock stock({.cache = false});
+    Desk desk(stock);
+    std::vector<std::uint8_t> alone;
+    {
+        Seat seat(desk, stock, slow_wish());
+        alone = seat.wait_for(Picture::Kind::rest, 0).codes.bytes;
+    }
+    Seat moving(desk, stock, small_wish("sphere"));
+    moving.wait_for(Picture::Kind::rest, 0);
+    Seat resting(desk, stock, slow_wish());
+    resting.wait_for(Picture::Kind::still, 0);
+    const auto shown = [&] {
+        const std::lock_guard lock(resting.audience->mutex);
+        return !resting.audience->pictures.empty();
+    };
+    std::uint64_t moves = 0;
+    for (; !shown(); moving.wait_for(Picture::Kind::moving, moves))
+        orbit(moving, ++moves);
+    EXPECT_GT(moves, 20u);
+    EXPECT_EQ(resting.wait_for(Picture::Kind::rest, 0).codes.bytes, alone);
+}
+
+// What is saved is the picture of the moment when that was asked for, whatever moves until it is.
+TEST(Desk, AViewMovesWhileItsPictureIsSaved)
+{
+    Stock stock({.cache = false});
+    Desk desk(stock);
+    Seat seat(desk, stock, slow_wish());
+    seat.wait_for(Picture::Kind::moving, 0);
+    orbit(seat, 1);
+    const std::string command = command_of(seat.session->wish(), "picture.png");
+    seat.session->save("png");
+    desk.nudge();
+    const auto saved = [&] {
+        const std::lock_guard lock(seat.audience->mutex);
+        return !seat.audience->saved.empty();
+    };
+    std::uint64_t moves = 1;
+    for (; !saved(); seat.wait_for(Picture::Kind::moving, moves))
+        orbit(seat, ++moves);
+    EXPECT_GT(moves, 10u);
+    EXPECT_FALSE(seat.session->is_saving());
+    const testing::Folder folder;
+    EXPECT_EQ(seat.audience->saved.front().command, command);
+    EXPECT_EQ(seat.audience->saved.front().bytes, rendered(command, folder));
+}
+
+TEST(Desk, WhoseSceneCannotBeLoadedHoldsNobodyUp)
+{
+    Stock stock({.cache = false});
+    Desk desk(stock);
+    Seat lost(desk, stock, small_wish("nowhere.glb")), other(desk, stock, small_wish("sphere"));
+    other.wait_for(Picture::Kind::rest, 0);
+    EXPECT_FALSE(lost.session->is_hungry());
+}
+
 TEST(Desk, APickedPointBecomesTheMiddle)
 {
     Stock stock({.cache = false});

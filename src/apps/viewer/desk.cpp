@@ -16,9 +16,13 @@ namespace {
 using Task = Plan::Task;
 
 // Thrown out of a drawing that nobody wants any more.
-struct Overtaken {
-    bool by_others;
-};
+struct Overtaken {};
+
+// Whoever got a picture of something that moves this long ago still moves.
+constexpr std::chrono::milliseconds lull{300};
+
+// Others' time for each of a long picture's, while they move.
+constexpr int others_share = 3;
 
 double ms_since(Clock::time_point start)
 {
@@ -138,7 +142,8 @@ void Desk::add(std::shared_ptr<Session> session)
 {
     {
         const std::lock_guard lock(mutex_);
-        places_.push_back({std::move(session)});
+        places_.push_back(std::make_shared<Place>());
+        places_.back()->session = std::move(session);
     }
     nudge();
 }
@@ -147,7 +152,7 @@ void Desk::remove(const std::shared_ptr<Session>& session)
 {
     session->close();
     const std::lock_guard lock(mutex_);
-    std::erase_if(places_, [&](const Place& place) { return place.session == session; });
+    std::erase_if(places_, [&](const std::shared_ptr<Place>& place) { return place->session == session; });
 }
 
 void Desk::nudge()
@@ -159,104 +164,146 @@ void Desk::nudge()
     wake_.notify_all();
 }
 
-bool Desk::others_wait(const Session& session)
+Desk::Places Desk::places()
 {
     const std::lock_guard lock(mutex_);
-    return std::any_of(places_.begin(), places_.end(), [&](const Place& place) {
-        return place.session.get() != &session && place.session->is_hungry();
-    });
+    return places_;
 }
 
-void Desk::set_slice(const Session& session, bool overtaken)
+// `is_moving` of any other place; of this one, too, while it saves a picture, which need not be that of what moves.
+template <class IsMoving>
+bool Desk::any_moves(const Place& place, const IsMoving& is_moving)
 {
-    const std::lock_guard lock(mutex_);
-    for (Place& place : places_)
-        if (place.session.get() == &session)
-            place.slice = overtaken ? 2 * place.slice : first_slice;
+    const Places all = places();
+    return std::any_of(all.begin(), all.end(), [&](const std::shared_ptr<Place>& other) {
+        return (other.get() != &place || place.session->is_saving()) && is_moving(*other);
+    });
 }
 
 void Desk::work()
 {
     while (!ending_) {
-        std::vector<Place> places;
-        {
-            const std::lock_guard lock(mutex_);
-            nudged_ = false;
-            places = places_;
-        }
         Clock::time_point wake = Clock::now() + std::chrono::seconds(10);
-        bool worked = false;
-        for (std::size_t i = 0; i < places.size() && !worked; ++i) {
-            const std::size_t turn = (next_ + i) % places.size();
-            if (const std::optional<Plan> plan = places[turn].session->plan(Clock::now(), wake)) {
-                next_ = turn + 1;
-                carry_out(*plan, *places[turn].session, places[turn].slice);
-                worked = true;
-            }
-        }
+        if (work_once(wake))
+            continue;
         std::unique_lock lock(mutex_);
-        if (!worked)
-            wake_.wait_until(lock, wake, [this] { return nudged_ || ending_; });
+        wake_.wait_until(lock, wake, [this] { return nudged_ || ending_; });
+        nudged_ = false;
     }
 }
 
-void Desk::draw(const Plan& plan, Session& session, std::chrono::milliseconds slice)
+bool Desk::work_once(Clock::time_point& wake)
+{
+    const Places all = places();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const std::size_t turn = (next_ + i) % all.size();
+        Place& place = *all[turn];
+        const Clock::time_point now = Clock::now();
+        const bool may_be_long = now >= place.long_from || !any_moves(place, [&](const Place& other) {
+                                     return other.session->is_hungry() || now - other.moved < lull;
+                                 });
+        if (!may_be_long)
+            wake = std::min({wake, place.long_from, now + lull});
+        if (const std::optional<Plan> plan = place.session->plan(now, wake, may_be_long)) {
+            next_ = turn + 1;
+            carry_out(*plan, place);
+            return true;
+        }
+    }
+    return false;
+}
+
+bool Desk::goes_on(const Plan& plan, const Place& place, Clock::time_point start)
+{
+    if (ending_ || (plan.is_long() && place.session->is_stale(plan)))
+        throw Overtaken{};
+    return !plan.is_long() || Clock::now() - start < slice ||
+           !any_moves(place, [](const Place& other) { return other.session->is_hungry(); });
+}
+
+void Desk::draw(const Plan& plan, Place& place)
 {
     const Clock::time_point start = Clock::now();
-    const bool may_be_left = plan.task == Task::still || plan.task == Task::rest;
-    const auto check = [&](float) {
-        if (ending_ || (may_be_left && session.is_stale(plan)))
-            throw Overtaken{false};
-        if (may_be_left && Clock::now() - start > slice && others_wait(session))
-            throw Overtaken{true};
-    };
-    const auto& environment = plan.environment->environment;
-    const draw::Settings& settings = plan.arguments.settings;
+    // A paused picture of another wish is nobody's; but one that is being saved stays while something moves.
+    if (place.begun && (plan.is_long() || place.begun->plan.task != Task::save) &&
+        (place.begun->plan.task != plan.task || place.begun->plan.serial != plan.serial))
+        place.begun.reset();
     plan.model->pose(plan.arguments);
-    draw::Renderer& renderer = plan.model->renderer(settings.texel_transfer);
-    draw::Frame frame = renderer.draw(environment ? &*environment : nullptr, settings, check);
-    show(plan, frame, ms_since(start), session);
+    std::unique_ptr<Begun> begun;
+    if (plan.is_long())
+        begun = std::move(place.begun);
+    if (!begun) {
+        const auto& environment = plan.environment->environment;
+        const draw::Settings& settings = plan.arguments.settings;
+        draw::Renderer& renderer = plan.model->renderer(settings.texel_transfer);
+        begun = std::make_unique<Begun>();
+        begun->plan = plan;
+        begun->drawing = renderer.start(environment ? &*environment : nullptr, settings);
+    }
+    const bool whole = begun->drawing->advance([&](float) { return goes_on(plan, place, start); });
+    begun->milliseconds += ms_since(start);
+    if (whole) {
+        finish(plan, *place.session, begun->drawing->take(), begun->milliseconds);
+    } else {
+        place.begun = std::move(begun);
+        place.session->paused(plan);
+    }
+}
+
+// Shows what was drawn; the milliseconds are those of the drawing.
+void Desk::finish(const Plan& plan, Session& session, draw::Frame frame, double milliseconds) const
+{
+    const Clock::time_point start = Clock::now();
+    show(plan, frame, milliseconds, session);
     if (plan.task == Task::rest && plan.layer != "picture" && !layer_of(plan, frame))
         session.complain(text("the model phong has no layer ", plan.layer, ": this is the picture"));
     if (plan.is_compared)
         session.drawn(plan, std::move(frame.radiance));
-    session.done(plan, ms_since(start));
+    session.done(plan, milliseconds + ms_since(start));
 }
 
 // As long as there is something new to be seen by: a picture takes its time to be made and to be sent.
-void Desk::trace(const Plan& plan, Session& session)
+void Desk::trace(const Plan& plan, Place& place)
 {
-    constexpr auto step = std::chrono::milliseconds(400);
+    constexpr double step_ms = 400.0;
     const Clock::time_point start = Clock::now();
     const bool finished = plan.trace->advance([&](const reference::Progress&) {
-        if (ending_ || session.is_stale(plan))
-            throw Overtaken{false};
-        return Clock::now() - start < step && !others_wait(session);
+        return goes_on(plan, place, start) && place.unseen_ms + ms_since(start) < step_ms;
     });
+    place.unseen_ms += ms_since(start);
+    if (!finished && place.unseen_ms < step_ms) {
+        place.session->paused(plan);
+        return;
+    }
     Picture picture = plan.trace->picture();
-    complete(plan, ms_since(start), picture);
-    session.presenter().show(std::move(picture));
+    complete(plan, place.unseen_ms, picture);
+    place.unseen_ms = 0.0;
+    place.session->presenter().show(std::move(picture));
     if (finished)
-        session.traced(plan);
+        place.session->traced(plan);
 }
 
-void Desk::carry_out(const Plan& plan, Session& session, std::chrono::milliseconds slice)
+void Desk::carry_out(const Plan& plan, Place& place)
 {
+    const Clock::time_point start = Clock::now();
+    Session& session = *place.session;
     try {
         if (plan.task == Task::trace)
-            trace(plan, session);
+            trace(plan, place);
         else
-            draw(plan, session, slice);
-        set_slice(session, false);
-    } catch (const Overtaken& overtaken) {
+            draw(plan, place);
+    } catch (const Overtaken&) {
         session.failed(plan, "");
-        if (overtaken.by_others)
-            set_slice(session, true);
     } catch (const std::bad_alloc&) {
         session.failed(plan, "not enough memory for the picture");
     } catch (const std::exception& error) {
         session.failed(plan, one_line(error.what()));
     }
+    const Clock::time_point end = Clock::now();
+    if (plan.is_long())
+        place.long_from = end + others_share * (end - start);
+    else
+        place.moved = end;
 }
 
 } // namespace lambent::viewer

@@ -11,8 +11,8 @@
 
 namespace lambent::viewer {
 
-/// One thread, which uses all others of TBB. A picture of something at rest ends early when its session moves, or, after
-/// a while that doubles each time, when another one does.
+/// One thread, which uses all others of TBB. A long picture (something at rest, a trace, a file) ends early when it is no
+/// longer wanted, and pauses whenever something moves: of the time then at most a quarter is its.
 class Desk {
 public:
     explicit Desk(Stock& stock);
@@ -31,26 +31,42 @@ public:
     /// Something changed: there may be work. Any thread.
     void nudge();
 
-    /// How long others wait at first for a picture at rest.
-    static constexpr std::chrono::milliseconds first_slice{500};
+    /// How long a long picture may go on while others wait.
+    static constexpr std::chrono::milliseconds slice{30};
 
 private:
-    struct Place {
-        std::shared_ptr<Session> session;
-        std::chrono::milliseconds slice = first_slice;
+    /// A long picture that pauses.
+    struct Begun {
+        Plan plan;
+        std::unique_ptr<draw::Drawing> drawing;
+        double milliseconds = 0.0; ///< that it took so far
     };
 
+    /// All but the session is the drawing thread's.
+    struct Place {
+        std::shared_ptr<Session> session;
+        std::unique_ptr<Begun> begun;
+        double unseen_ms = 0.0;        ///< of tracing, since the last picture of it
+        Clock::time_point moved{};     ///< when something that moves was drawn last
+        Clock::time_point long_from{}; ///< nothing long is drawn before, if others move
+    };
+    using Places = std::vector<std::shared_ptr<Place>>;
+
+    Places places();
+    template <class IsMoving>
+    bool any_moves(const Place& place, const IsMoving& is_moving);
     void work();
-    void carry_out(const Plan& plan, Session& session, std::chrono::milliseconds slice);
-    void draw(const Plan& plan, Session& session, std::chrono::milliseconds slice);
-    void trace(const Plan& plan, Session& session);
-    bool others_wait(const Session& session);
-    void set_slice(const Session& session, bool overtaken);
+    bool work_once(Clock::time_point& wake);
+    void carry_out(const Plan& plan, Place& place);
+    void draw(const Plan& plan, Place& place);
+    void trace(const Plan& plan, Place& place);
+    void finish(const Plan& plan, Session& session, draw::Frame frame, double milliseconds) const;
+    bool goes_on(const Plan& plan, const Place& place, Clock::time_point start);
 
     Stock& stock_;
     std::mutex mutex_;
     std::condition_variable wake_;
-    std::vector<Place> places_;
+    Places places_;
     std::size_t next_ = 0;
     bool nudged_ = false;
     std::atomic<bool> ending_ = false;

@@ -14,7 +14,7 @@
 namespace lambent::viewer {
 namespace {
 
-// Above these a picture takes minutes, and everybody else waits.
+// Above these a picture takes many minutes.
 constexpr double most_samples = 1024.0, most_edge_samples = 16.0;
 
 constexpr std::array table = {

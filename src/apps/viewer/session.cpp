@@ -189,10 +189,12 @@ void Session::save(const std::string& kind)
     const std::lock_guard lock(mutex_);
     if (kind != "png" && kind != "jpg")
         throw Error(Failure::usage, text("save: '", kind.substr(0, 20), "' is none of png, jpg"));
-    if (!save_kind_.empty())
+    if (unsaved_ >= most_saves || !save_kind_.empty())
         throw Error(Failure::usage, "save: a picture is being saved already");
     save_kind_ = kind;
-    saving_ = true;
+    ++unsaved_;
+    if (has_things_)
+        plan_save();
 }
 
 void Session::seen()
@@ -209,7 +211,7 @@ void Session::close()
 
 bool Session::is_hungry() const
 {
-    return !closed_ && (moves_ || serial_ != drawn_serial_) && in_flight_ < most_in_flight;
+    return !closed_ && has_things_ && (moves_ || serial_ != drawn_serial_) && in_flight_ < most_in_flight;
 }
 
 void Session::set_error(const std::string& line)

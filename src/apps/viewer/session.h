@@ -10,6 +10,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -37,6 +38,9 @@ struct Plan {
     bool is_compared = false;      ///< rest: a trace is to follow
     std::string file, command;     ///< save
     std::array<double, 2> place{}; ///< pick: in parts of the picture, from its top left
+
+    /// Whether it may take long: then others have their turn meanwhile.
+    bool is_long() const { return task != Task::moving && task != Task::pick; }
 };
 
 /// What a scene's animations are doing.
@@ -52,6 +56,7 @@ struct Playing {
 class Session {
 public:
     static constexpr int most_in_flight = 2;
+    static constexpr int most_saves = 2;
     /// Nothing moves when there was no input for so long.
     static constexpr std::chrono::milliseconds settle{60};
     /// An animation is drawn at most so often.
@@ -89,11 +94,12 @@ public:
     /// The surface at this place, in parts of the picture from its top left, becomes its middle.
     void focus(double x, double y, std::uint64_t input = 0);
 
-    /// The picture as a file: "png" or "jpg". Throws Error(usage) for others, or if one is being saved.
+    /// The picture of now, or of when there is one, as a file: "png" or "jpg". Throws Error(usage) for others, or if
+    /// most_saves are being saved.
     void save(const std::string& kind);
 
     /// Whether a picture is being saved: from save() until the presenter has it or the state says why not.
-    bool is_saving() const { return saving_; }
+    bool is_saving() const { return unsaved_ > 0; }
 
     /// One picture was seen: the next may come.
     void seen();
@@ -101,8 +107,8 @@ public:
     /// Nothing more is drawn.
     void close();
 
-    /// What is to be drawn now; if nothing, `wake` may become sooner, when to ask again.
-    std::optional<Plan> plan(Clock::time_point now, Clock::time_point& wake);
+    /// What is to be drawn now, nothing long unless it may be; if nothing, `wake` may become sooner, when to ask again.
+    std::optional<Plan> plan(Clock::time_point now, Clock::time_point& wake, bool may_be_long);
 
     /// A plan was carried out and shown; took so long in all.
     void done(const Plan& plan, double milliseconds);
@@ -112,15 +118,23 @@ public:
 
     /// The plan's trace has come to its end.
     void traced(const Plan& plan);
+
+    /// The plan came to nothing: why, or nothing if it was no longer wanted.
     void failed(const Plan& plan, const std::string& line);
+
+    /// The plan was begun and is planned again when it may go on.
+    void paused(const Plan& plan);
 
     /// Something to be said about what is shown, in one line.
     void complain(const std::string& line);
 
     void picked(const glm::dvec3& point, const Plan& plan);
 
-    /// Whether what is drawn by this plan is no longer wanted.
-    bool is_stale(const Plan& plan) const { return closed_ || serial_ != plan.serial; }
+    /// Whether what is drawn by this plan is no longer wanted; what is saved always is.
+    bool is_stale(const Plan& plan) const
+    {
+        return closed_ || (plan.task != Plan::Task::save && serial_ != plan.serial);
+    }
 
     /// Whether a picture of something that moves is waited for.
     bool is_hungry() const;
@@ -152,9 +166,11 @@ private:
     void go_on_playing(Clock::time_point now, Clock::time_point& wake);
     bool is_compared() const;
     void set_error(const std::string& line);
-    std::optional<Plan::Task> task_now(Clock::time_point now, Clock::time_point& wake);
+    std::optional<Plan::Task> task_now(Clock::time_point now, Clock::time_point& wake, bool may_be_long);
+    std::optional<Plan::Task> long_task_now(Clock::time_point now, Clock::time_point& wake);
     Plan planned(Plan::Task task);
-    std::optional<Plan> plan_now(Clock::time_point now, Clock::time_point& wake);
+    void plan_save();
+    std::optional<Plan> plan_now(Clock::time_point now, Clock::time_point& wake, bool may_be_long);
     Playing playing_now() const;
     std::string state_now() const;
 
@@ -169,16 +185,18 @@ private:
     image::RadianceImage drawn_; ///< at rest; empty: not compared, or not yet drawn
     std::shared_ptr<Trace> trace_;
     Opening opening_;
-    std::string file_error_, error_; ///< of what is watched; of what was asked for last
-    bool pending_ = true;            ///< what is wished is still being loaded
-    bool announce_ = true;           ///< the state is to be said
-    std::string save_kind_;
+    std::string file_error_, error_;             ///< of what is watched; of what was asked for last
+    bool pending_ = true;                        ///< what is wished is still being loaded
+    bool announce_ = true;                       ///< the state is to be said
+    std::string save_kind_;                      ///< is to be saved when there is something to be seen
+    std::deque<Plan> saves_;                     ///< not begun, or paused
     std::optional<std::array<double, 2>> place_; ///< to be looked at, asked for by place_input_
     std::uint64_t place_input_ = 0;
     std::atomic<std::uint64_t> serial_ = 1, drawn_serial_ = 0;
     std::uint64_t still_ = 0, rest_ = 0, traced_ = 0, input_ = 0;
-    std::atomic<int> in_flight_ = 0;
-    std::atomic<bool> closed_ = false, saving_ = false;
+    std::atomic<int> in_flight_ = 0, unsaved_ = 0;
+    std::atomic<bool> closed_ = false;
+    std::atomic<bool> has_things_ = false; ///< scene and environment, this wish's or older ones
     Clock::time_point last_input_{};
     std::atomic<bool> moves_ = false; ///< an animation that takes time is playing
     std::optional<Clock::time_point>

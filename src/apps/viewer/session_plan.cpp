@@ -47,7 +47,8 @@ bool Session::find_things(const Wish& wish)
         forget_lost_animation();
         begin_anew();
     }
-    return model_ && environment_;
+    has_things_ = model_ && environment_;
+    return has_things_;
 }
 
 bool Session::is_compared() const
@@ -116,9 +117,9 @@ void Session::look_for_opening()
     begin_anew();
 }
 
-std::optional<Plan::Task> Session::task_now(Clock::time_point now, Clock::time_point& wake)
+std::optional<Plan::Task> Session::task_now(Clock::time_point now, Clock::time_point& wake, bool may_be_long)
 {
-    if (!save_kind_.empty())
+    if (!saves_.empty() && may_be_long)
         return Plan::Task::save;
     if (in_flight_ >= most_in_flight)
         return std::nullopt;
@@ -126,6 +127,12 @@ std::optional<Plan::Task> Session::task_now(Clock::time_point now, Clock::time_p
         return Plan::Task::pick;
     if (drawn_serial_ != serial_)
         return Plan::Task::moving;
+    return may_be_long ? long_task_now(now, wake) : std::nullopt;
+}
+
+// For what does not move.
+std::optional<Plan::Task> Session::long_task_now(Clock::time_point now, Clock::time_point& wake)
+{
     if (find_trace())
         return Plan::Task::trace;
     if (rest_ == serial_)
@@ -136,6 +143,20 @@ std::optional<Plan::Task> Session::task_now(Clock::time_point now, Clock::time_p
     }
     const int samples = std::stoi(wish_.values["samples"]);
     return still_ != serial_ && samples > many_samples ? Plan::Task::still : Plan::Task::rest;
+}
+
+// What moves until it is drawn is not in it.
+void Session::plan_save()
+{
+    const std::string file = text("picture.", std::exchange(save_kind_, ""));
+    try {
+        saves_.push_back(planned(Plan::Task::save));
+    } catch (const Error&) {
+        --unsaved_;
+        throw;
+    }
+    saves_.back().file = file;
+    saves_.back().command = command_of(wish_, file);
 }
 
 Plan Session::planned(Plan::Task task)
@@ -160,38 +181,40 @@ Plan Session::planned(Plan::Task task)
         make_fast(plan.arguments, plan.scale);
     if (task == Plan::Task::still)
         plan.arguments.settings.samples = draw::split_sum_samples;
-    if (task == Plan::Task::save) {
-        plan.file = text("picture.", std::exchange(save_kind_, ""));
-        plan.command = command_of(wish_, plan.file);
-        plan.layer = "picture";
-    }
     if (task == Plan::Task::pick)
         plan.place = *std::exchange(place_, std::nullopt);
     plan.is_compared = task == Plan::Task::rest && is_compared();
     if (task == Plan::Task::trace)
         plan.trace = trace_;
-    if (is_compared())
+    if (is_compared() || task == Plan::Task::save)
         plan.layer = "picture";
     plan.arguments.settings.layers = task == Plan::Task::pick || plan.layer != "picture";
     return plan;
 }
 
-std::optional<Plan> Session::plan_now(Clock::time_point now, Clock::time_point& wake)
+std::optional<Plan> Session::plan_now(Clock::time_point now, Clock::time_point& wake, bool may_be_long)
 {
     look_for_opening();
     go_on_playing(now, wake);
     if (!find_things(wish_))
         return std::nullopt;
-    const std::optional<Plan::Task> task = task_now(now, wake);
+    if (!save_kind_.empty())
+        plan_save();
+    const std::optional<Plan::Task> task = task_now(now, wake, may_be_long);
     if (!task)
         return std::nullopt;
+    if (task == Plan::Task::save) {
+        Plan plan = std::move(saves_.front());
+        saves_.pop_front();
+        return plan;
+    }
     Plan plan = planned(*task);
-    if (task != Plan::Task::save && task != Plan::Task::pick)
+    if (task != Plan::Task::pick)
         ++in_flight_;
     return plan;
 }
 
-std::optional<Plan> Session::plan(Clock::time_point now, Clock::time_point& wake)
+std::optional<Plan> Session::plan(Clock::time_point now, Clock::time_point& wake, bool may_be_long)
 {
     std::optional<Plan> plan;
     std::string state;
@@ -200,7 +223,7 @@ std::optional<Plan> Session::plan(Clock::time_point now, Clock::time_point& wake
         if (closed_)
             return std::nullopt;
         try {
-            plan = plan_now(now, wake);
+            plan = plan_now(now, wake, may_be_long);
         } catch (const Error& error) { // nothing of this wish can be drawn
             set_error(error.what());
             drawn_serial_ = still_ = rest_ = traced_ = serial_;
@@ -222,7 +245,7 @@ void Session::done(const Plan& plan, double milliseconds)
         drawn_serial_ = plan.serial;
     }
     if (plan.task == Plan::Task::save)
-        saving_ = !save_kind_.empty();
+        --unsaved_;
     if (plan.task == Plan::Task::still)
         still_ = plan.serial;
     if (plan.task == Plan::Task::rest)
@@ -248,14 +271,23 @@ void Session::failed(const Plan& plan, const std::string& line)
 {
     const std::lock_guard lock(mutex_);
     if (plan.task == Plan::Task::save)
-        saving_ = !save_kind_.empty();
+        --unsaved_;
     if (plan.task != Plan::Task::save && plan.task != Plan::Task::pick)
         seen();
     if (line.empty())
-        return; // overtaken: it is planned again
+        return;
     set_error(line);
     // Not again until something changes.
     drawn_serial_ = still_ = rest_ = traced_ = plan.serial;
+}
+
+void Session::paused(const Plan& plan)
+{
+    const std::lock_guard lock(mutex_);
+    if (plan.task == Plan::Task::save)
+        saves_.push_front(plan);
+    else
+        seen(); // what was not shown
 }
 
 void Session::complain(const std::string& line)

@@ -10,42 +10,74 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <mutex>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace lambent::draw {
 namespace {
 
-// Calls back with the done fraction, one thread at a time.
-class Progress {
+// Which tiles there are, and which of them are drawn.
+class Tiles {
 public:
-    Progress(const std::function<void(float)>& report, int all) : report_(report), all_(all) {}
+    Tiles(int width, int height)
+        : width_(width), height_(height), columns_((width + size - 1) / size),
+          done_(static_cast<std::size_t>(columns_ * ((height + size - 1) / size)), 0)
+    {
+    }
+
+    int count() const { return static_cast<int>(done_.size()); }
+
+    TileArea area(int tile) const
+    {
+        const int x = tile % columns_ * size, y = tile / columns_ * size;
+        return {x, y, std::min(size, width_ - x), std::min(size, height_ - y)};
+    }
+
+    // Each of them by one thread.
+    bool is_done(int tile) const { return done_[static_cast<std::size_t>(tile)] != 0; }
+    void set_done(int tile) { done_[static_cast<std::size_t>(tile)] = 1; }
+
+    int done_count() const { return static_cast<int>(std::count(done_.begin(), done_.end(), char(1))); }
+
+private:
+    static constexpr int size = TileDrawer::largest_size;
+    int width_, height_, columns_;
+    std::vector<char> done_;
+};
+
+// Asks one thread at a time, with the done fraction, whether to go on.
+class Questions {
+public:
+    Questions(const Drawing::GoOn& go_on, int done, int all) : go_on_(go_on), done_(done), all_(all) {}
 
     void step()
     {
-        if (!report_)
+        if (!go_on_)
             return;
         const std::lock_guard lock(mutex_);
-        report_(static_cast<float>(++done_) / static_cast<float>(all_));
+        ++done_;
+        if (!stopped_ && !go_on_(static_cast<float>(done_) / static_cast<float>(all_)))
+            stopped_ = true;
     }
 
+    bool stopped() const { return stopped_; }
+
 private:
-    const std::function<void(float)>& report_;
+    const Drawing::GoOn& go_on_;
     std::mutex mutex_;
-    int done_ = 0, all_;
+    int done_, all_;
+    std::atomic<bool> stopped_ = false;
 };
 
 class CpuRenderer : public Renderer {
 public:
     explicit CpuRenderer(const scene::Scene& scene) : first_(scene), scene_(&scene) {}
 
-    Frame draw(const environment::Environment* environment, const Settings& settings,
-               const std::function<void(float)>& progress) override
-    {
-        prepare(settings.texel_transfer);
-        const PreparedPicture prepared(scene_->lights, environment, settings);
-        return draw_tiles({*prepared_, settings, prepared}, progress);
-    }
+    std::unique_ptr<Drawing> start(const environment::Environment* environment,
+                                   const Settings& settings) override;
 
     void pose(const scene::Scene& scene) override
     {
@@ -62,8 +94,8 @@ public:
         return {"cpu", text(hwy::TargetName(targets & -targets), ", ", std::min(allowed, arena), " threads")};
     }
 
-private:
-    void prepare(TexelTransfer transfer)
+    // What pictures in the present pose are drawn from.
+    const PreparedScene& prepared(TexelTransfer transfer)
     {
         if (!prepared_ || prepared_transfer_ != transfer) {
             prepared_.reset();
@@ -73,31 +105,58 @@ private:
             prepared_->pose(*scene_);
         }
         stale_ = false;
+        return *prepared_;
     }
 
-    static Frame draw_tiles(const Picture& picture, const std::function<void(float)>& report)
-    {
-        const Settings& settings = picture.settings;
-        Frame frame = blank_frame(settings);
-        constexpr int size = TileDrawer::largest_size;
-        const int columns = (settings.width + size - 1) / size, rows = (settings.height + size - 1) / size;
-        Progress progress(report, columns * rows);
-        tbb::enumerable_thread_specific<TileDrawer> drawers([&] { return TileDrawer(picture); });
-        tbb::parallel_for(0, columns * rows, [&](int tile) {
-            const int x = tile % columns * size, y = tile / columns * size;
-            drawers.local().draw(
-                {x, y, std::min(size, settings.width - x), std::min(size, settings.height - y)}, frame);
-            progress.step();
-        });
-        return frame;
-    }
+    const scene::Scene& scene() const { return *scene_; }
 
+private:
     const scene::Scene& first_; ///< has the images
     const scene::Scene* scene_; ///< as it is drawn
     bool stale_ = false;        ///< whether another was prepared
     std::optional<PreparedScene> prepared_;
     TexelTransfer prepared_transfer_ = TexelTransfer::srgb;
 };
+
+class CpuDrawing : public Drawing {
+public:
+    CpuDrawing(CpuRenderer& renderer, const environment::Environment* environment, const Settings& settings)
+        : renderer_(renderer), settings_(settings),
+          prepared_(renderer.scene().lights, environment, settings_), frame_(blank_frame(settings_)),
+          tiles_(settings_.width, settings_.height)
+    {
+    }
+
+    bool advance(const GoOn& go_on) override
+    {
+        const Picture picture{renderer_.prepared(settings_.texel_transfer), settings_, prepared_};
+        Questions questions(go_on, tiles_.done_count(), tiles_.count());
+        tbb::enumerable_thread_specific<TileDrawer> drawers([&] { return TileDrawer(picture); });
+        tbb::parallel_for(0, tiles_.count(), [&](int tile) {
+            if (questions.stopped() || tiles_.is_done(tile))
+                return;
+            drawers.local().draw(tiles_.area(tile), frame_);
+            tiles_.set_done(tile);
+            questions.step();
+        });
+        return tiles_.done_count() == tiles_.count();
+    }
+
+    Frame take() override { return std::move(frame_); }
+
+private:
+    CpuRenderer& renderer_;
+    const Settings settings_;
+    const PreparedPicture prepared_;
+    Frame frame_;
+    Tiles tiles_;
+};
+
+std::unique_ptr<Drawing> CpuRenderer::start(const environment::Environment* environment,
+                                            const Settings& settings)
+{
+    return std::make_unique<CpuDrawing>(*this, environment, settings);
+}
 
 } // namespace
 

@@ -81,6 +81,16 @@ constexpr std::array<std::byte, sizeof(RasterConstants)> no_constants{};
 
 } // namespace
 
+void add_lap(const Lap& lap, std::vector<Lap>& laps)
+{
+    const auto found =
+        std::find_if(laps.begin(), laps.end(), [&](const Lap& other) { return other.first == lap.first; });
+    if (found == laps.end())
+        laps.push_back(lap);
+    else
+        found->second += lap.second;
+}
+
 std::vector<glm::vec2> look_places(const Edges& edges)
 {
     std::vector<glm::vec2> places;
@@ -235,14 +245,8 @@ std::uint32_t PicturePasses::counted(int counter) const
 void PicturePasses::run(Commands& commands)
 {
     commands.run();
-    for (const auto& lap : commands.laps()) {
-        const auto found = std::find_if(times_.begin(), times_.end(),
-                                        [&](const auto& time) { return time.first == lap.first; });
-        if (found == times_.end())
-            times_.push_back(lap);
-        else
-            found->second += lap.second;
-    }
+    for (const Lap& lap : commands.laps())
+        add_lap(lap, times_);
 }
 
 // Whether the tile's fragments had room.

@@ -32,6 +32,12 @@ struct PictureArea {
 /// The looks of a pixel: those of edges, if there are several, and the one through its middle.
 std::vector<glm::vec2> look_places(const Edges& edges);
 
+/// A pass and the milliseconds that it took on the device.
+using Lap = std::pair<std::string, double>;
+
+/// Adds it to its pass in the list; one that is new comes last.
+void add_lap(const Lap& lap, std::vector<Lap>& laps);
+
 class PicturePasses {
 public:
     /// Everything must outlive it; `bounds`: of the scene. Throws Error(no_device).
@@ -40,8 +46,8 @@ public:
     /// Draws into the frame; the area is at most as large as the tile. Throws Error(no_device).
     void draw(const PictureArea& area, Frame& frame);
 
-    /// Passes so far and the milliseconds that they took on the device.
-    const std::vector<std::pair<std::string, double>>& times() const { return times_; }
+    /// Of all tiles so far.
+    const std::vector<Lap>& times() const { return times_; }
 
 private:
     vulkan::BindingSet bind() const;
@@ -65,7 +71,7 @@ private:
     gpu_layout::PictureRecord record_;
     BackgroundOnDevice background_;
     vulkan::BindingSet set_;
-    std::vector<std::pair<std::string, double>> times_;
+    std::vector<Lap> times_;
 };
 
 } // namespace lambent::draw

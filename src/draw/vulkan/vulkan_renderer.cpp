@@ -4,9 +4,47 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace lambent::draw {
 namespace {
+
+// A picture, tile by tile from its top left. All of it is here, not on the device.
+struct Unfinished {
+    Unfinished(const scene::Scene& scene, const environment::Environment* environment, const Settings& given)
+        : settings(given), prepared(scene.lights, environment, settings), frame(blank_frame(settings))
+    {
+    }
+
+    bool is_whole() const { return y >= settings.height; }
+
+    PictureArea next(const TileShape& shape) const
+    {
+        return {x, y, std::min(shape.width, settings.width - x), std::min(shape.height, settings.height - y)};
+    }
+
+    void set_done(const PictureArea& area)
+    {
+        x += area.width;
+        if (x < settings.width)
+            return;
+        x = 0;
+        y += area.height;
+    }
+
+    float done(const TileShape& shape) const
+    {
+        const float row = static_cast<float>(next(shape).height) * static_cast<float>(x) /
+                          static_cast<float>(settings.width);
+        return (static_cast<float>(y) + row) / static_cast<float>(settings.height);
+    }
+
+    const Settings settings;
+    const PreparedPicture prepared;
+    Frame frame; ///< with the times of all passes so far
+    int x = 0, y = 0;
+};
 
 class OnDevice : public VulkanRenderer {
 public:
@@ -21,30 +59,29 @@ public:
     {
     }
 
-    Frame draw(const environment::Environment* environment, const Settings& settings,
-               const std::function<void(float)>& progress) override
+    std::unique_ptr<Drawing> start(const environment::Environment* environment,
+                                   const Settings& settings) override;
+
+    // What of the picture is on the device goes when this ends: who knows what becomes of it before the next time.
+    bool advance(Unfinished& picture, const Drawing::GoOn& go_on)
     {
-        Frame frame = blank_frame(settings);
-        const PreparedPicture picture(scene_->lights, environment, settings);
-        prepare(picture, static_cast<int>(frame.layers.size()));
-        PicturePasses passes({device_, *layout_, *prepared_, *tile_, *passes_}, picture, bounds_);
+        prepare(picture.prepared, static_cast<int>(picture.frame.layers.size()));
+        PicturePasses passes({device_, *layout_, *prepared_, *tile_, *passes_}, picture.prepared, bounds_);
         const TileShape& shape = tile_->shape();
-        for (int y = 0; y < settings.height; y += shape.height)
-            for (int x = 0; x < settings.width; x += shape.width) {
-                const int width = std::min(shape.width, settings.width - x),
-                          height = std::min(shape.height, settings.height - y);
-                passes.draw({x, y, width, height}, frame);
-                if (progress)
-                    progress(
-                        (static_cast<float>(y) + static_cast<float>(x + width) * static_cast<float>(height) /
-                                                     static_cast<float>(settings.width)) /
-                        static_cast<float>(settings.height));
-            }
-        frame.passes = passes.times();
+        for (bool going = true; going && !picture.is_whole();) {
+            const PictureArea area = picture.next(shape);
+            passes.draw(area, picture.frame);
+            picture.set_done(area);
+            going = !go_on || go_on(picture.done(shape));
+        }
+        for (const auto& lap : passes.times())
+            add_lap(lap, picture.frame.passes);
         cache_.keep();
         instance_.require_silence();
-        return frame;
+        return picture.is_whole();
     }
+
+    const scene::Scene& scene() const { return *scene_; }
 
     void pose(const scene::Scene& scene) override
     {
@@ -97,6 +134,27 @@ private:
     std::optional<Passes> passes_;
     std::optional<TileOnDevice> tile_;
 };
+
+class DeviceDrawing : public Drawing {
+public:
+    DeviceDrawing(OnDevice& renderer, const environment::Environment* environment, const Settings& settings)
+        : renderer_(renderer), picture_(renderer.scene(), environment, settings)
+    {
+    }
+
+    bool advance(const GoOn& go_on) override { return renderer_.advance(picture_, go_on); }
+    Frame take() override { return std::move(picture_.frame); }
+
+private:
+    OnDevice& renderer_;
+    Unfinished picture_;
+};
+
+std::unique_ptr<Drawing> OnDevice::start(const environment::Environment* environment,
+                                         const Settings& settings)
+{
+    return std::make_unique<DeviceDrawing>(*this, environment, settings);
+}
 
 } // namespace
 
