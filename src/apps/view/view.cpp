@@ -29,9 +29,10 @@ std::string free_name(const std::string& name)
     return free;
 }
 
+// Folders would push the name out of sight.
 std::string title_of(const std::string& scene)
 {
-    return text(scene, " - lambent");
+    return text(std::filesystem::path(scene).filename().string(), " - lambent");
 }
 
 } // namespace
