@@ -1,5 +1,6 @@
 // What a viewer of `grid` in the kitchen at 1280x720 gets from a server on the same machine: frames while it moves,
-// the time from an input to the picture that shows it, decoded, and to the picture at rest.
+// the time from an input to the picture that shows it, decoded, and to the picture at rest; and the same while another
+// viewer's picture of 1024 samples is drawn.
 #include "apps/serve/server.h"
 #include "image/jpeg.h"
 #include "image/png.h"
@@ -105,7 +106,16 @@ Single from_rest(Visitor& visitor, std::uint64_t& id, int count)
     return single;
 }
 
-void print(const Moving& moving, const Single& single)
+// Another viewer comes to rest with so many samples that nothing else would be drawn for long.
+void rest_long(Visitor& other)
+{
+    std::uint64_t id = 0;
+    other.wait_for("rest", id);
+    other.send({{"do", "set"}, {"name", "samples"}, {"value", "1024"}, {"id", ++id}});
+    other.wait_for("still", id);
+}
+
+void print(const Moving& moving, const Moving& beside, const Single& single)
 {
     std::printf("| grid, kitchen, 1280x720 | median | 95 of 100 |\n| --- | --- | --- |\n");
     std::printf("| frames a second while moving | %.1f | |\n", moving.rate);
@@ -115,6 +125,9 @@ void print(const Moving& moving, const Single& single)
         std::printf("| %s, ms | %.0f | %.0f |\n", what, quantile(values, 0.5), quantile(values, 0.95));
     };
     row("from input to picture while moving", moving.latency);
+    std::printf("| frames a second beside a picture of 1024 samples | %.1f | |\n", beside.rate);
+    std::printf("| scale of their sides | %.2f | |\n", beside.scale);
+    row("from input to picture then", beside.latency);
     row("from input to picture, from rest", single.first);
     row("from input to the 40 samples at rest", single.rest);
 }
@@ -138,7 +151,9 @@ int main()
         move(visitor, id, 2.0); // finds its scale
         const Moving moving = move(visitor, id, 6.0);
         const Single single = from_rest(visitor, id, 20);
-        print(moving, single);
+        Visitor other(server.port());
+        rest_long(other);
+        print(moving, move(visitor, id, 6.0), single);
     }
     server.stop();
     thread.join();
