@@ -34,8 +34,8 @@ class Renderer {
 public:
     virtual ~Renderer() = default;
 
-    /// The scene seen by the settings' camera under an environment (null: darkness). Renderer and environment must
-    /// outlive the drawing.
+    /// The scene seen by the settings' camera under an environment (null: darkness), which must not change after
+    /// it was first drawn under: devices keep it. Renderer and environment must outlive the drawing.
     virtual std::unique_ptr<Drawing> start(const environment::Environment* environment,
                                            const Settings& settings) = 0;
 

@@ -1,6 +1,7 @@
 // An environment ready to draw with: what light comes from where, at every sharpness.
 #pragma once
 
+#include "base/identity.h"
 #include "environment/cube_chain.h"
 #include "environment/irradiance.h"
 #include "environment/lamps.h"
@@ -15,6 +16,7 @@ struct Environment {
     CubeChain chain;          ///< Gaussian blurs: specular light
     Lamps lamps;              ///< what the coarse ones of them do without
     IrradianceMap irradiance; ///< diffuse light
+    Identity identity{};      ///< for who keeps something made from the others, which then must not change
 };
 
 /// Everything from the panorama. `threads` are those of the calling TBB arena.

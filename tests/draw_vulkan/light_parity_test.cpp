@@ -3,6 +3,7 @@
 #include "draw/cpu/light_kernel.h"
 #include "draw/vulkan/filled_buffer.h"
 #include "draw/vulkan/passes.h"
+#include "draw/vulkan/environment_on_device.h"
 #include "draw/vulkan/picture_on_device.h"
 #include "draw/vulkan/tile_on_device.h"
 #include "environment/builtin.h"
@@ -145,14 +146,15 @@ public:
     LightOnDevice(const vulkan::Device& device, const Surroundings& setup, std::size_t room)
         : device_(device), cache_(device, {}), layout_(pass_layout(device)),
           passes_(cache_, *layout_, {1, setup.context.model, setup.context.mip_level}),
-          picture_(device, setup.context, setup.lights), tile_(device, {64, 64, 1, 0, room}),
-          nothing_(filled_buffer(device, std::vector<float>(16))), lights_(!setup.lights.empty()),
-          environment_(setup.context.environment != nullptr)
+          picture_(device, setup.context, setup.lights), on_device_(device, setup.context),
+          tile_(device, {64, 64, 1, 0, room}), nothing_(filled_buffer(device, std::vector<float>(16))),
+          lights_(!setup.lights.empty()), environment_(setup.context.environment != nullptr)
     {
         std::array<vulkan::Resource, gpu_layout::binding_count> resources{};
         for (int binding = gpu_layout::binding_instances; binding <= gpu_layout::binding_codes; ++binding)
             resources[static_cast<std::size_t>(binding)].buffer = &nothing_;
         picture_.offer(resources);
+        on_device_.offer(resources);
         tile_.offer(resources);
         set_ = std::make_unique<vulkan::BindingSet>(device, *layout_, resources);
     }
@@ -203,6 +205,7 @@ private:
     std::unique_ptr<vulkan::ShaderLayout> layout_;
     Passes passes_;
     PictureOnDevice picture_;
+    EnvironmentOnDevice on_device_;
     TileOnDevice tile_;
     vulkan::Buffer nothing_;
     bool lights_, environment_;

@@ -321,6 +321,38 @@ TEST_F(PictureParity, MoreSurfacesThanRoom)
     EXPECT_EQ(renderer->complaints(), std::vector<std::string>());
 }
 
+// Devices keep the environment: the next picture may be under another, though at the same address, and look at it
+// otherwise.
+TEST_F(PictureParity, EnvironmentsFollowEachOther)
+{
+    const test::LeaksOfDrivers allowed;
+    const scene::Scene scene = testing::pose_scene(0.0f);
+    const std::unique_ptr<VulkanRenderer> renderer = make_vulkan_renderer(scene, {true, true, {}});
+    std::optional<environment::Environment> light;
+    const auto expect_parity = [&](const environment::Environment* environment, const Settings& asked) {
+        Settings settings = asked;
+        settings.layers = true;
+        const Frame wanted = make_cpu_renderer(scene)->draw(environment, settings);
+        const Frame found = renderer->draw(environment, asked);
+        EXPECT_LE(relative_rmse(found.radiance, wanted.radiance, edges_of(wanted)), 2e-3);
+    };
+    Settings settings = settings_for(scene, Model::ggx);
+    for (const double red : {1.0, 3.0}) {
+        light.reset();
+        light = testing::environment_of(64, [&](glm::dvec3 d) { return glm::dvec3(red, 1.0 + d.y, 1.0); });
+        expect_parity(&*light, settings);
+    }
+    expect_parity(nullptr, settings);
+    settings.background.kind = Background::Kind::none;
+    expect_parity(&kitchen(), settings);
+    settings.mip_level = MipLevel::report;
+    settings.background.kind = Background::Kind::environment;
+    expect_parity(&kitchen(), settings);
+    settings.mip_level = MipLevel::matched;
+    expect_parity(&kitchen(), settings);
+    EXPECT_EQ(renderer->complaints(), std::vector<std::string>());
+}
+
 // Wider than a tile is: drawn bit by bit, with another picture and another pose between, it is the same.
 TEST_F(PictureParity, InPiecesItIsTheSame)
 {

@@ -1,7 +1,5 @@
 #include "draw/vulkan/background_on_device.h"
 
-#include "draw/vulkan/filled_buffer.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -25,8 +23,8 @@ vec4 blur_of(const environment::Environment& e, float level)
 
 } // namespace
 
-BackgroundOnDevice::BackgroundOnDevice(const vulkan::Device& device, const PreparedPicture& picture,
-                                       PictureRecord& record)
+bool describe_background(const vulkan::Device& device, const PreparedPicture& picture,
+                         EnvironmentOnDevice& on_device, PictureRecord& record)
 {
     const Background& background = picture.settings.background;
     const environment::Environment* const environment = picture.light.environment;
@@ -37,20 +35,16 @@ BackgroundOnDevice::BackgroundOnDevice(const vulkan::Device& device, const Prepa
         record.behind.x = picture.background_level < 0.0f ? background_panorama : background_blurred;
         record.blur = blur_of(*environment, std::max(picture.background_level, 0.0f));
     }
-    visible_ = record.behind.x != background_none;
     if (record.behind.x != background_panorama)
-        return;
+        return record.behind.x != background_none;
     const environment::Panorama& panorama = environment->panorama;
-    const std::span<const std::byte> texels = std::as_bytes(std::span(panorama.texels));
-    panorama_.emplace(
-        filled_buffer(device, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT,
-                      {&texels, 1}));
-    const VkDeviceAddress address = panorama_->address();
+    const VkDeviceAddress address = on_device.panorama(device, panorama).address();
     record.addresses.z = static_cast<uint>(address);
     record.addresses.w = static_cast<uint>(address >> 32);
     record.behind.y = panorama.width;
     record.behind.z = panorama.height;
     record.panorama.x = panorama.scale;
+    return true;
 }
 
 } // namespace lambent::draw

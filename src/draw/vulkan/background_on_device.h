@@ -2,26 +2,14 @@
 #pragma once
 
 #include "draw/prepared_picture.h"
+#include "draw/vulkan/environment_on_device.h"
 #include "gpu_layout/layout.h"
-#include "vulkan/commands.h"
-
-#include <optional>
 
 namespace lambent::draw {
 
-/// Throws Error(no_device).
-class BackgroundOnDevice {
-public:
-    /// Writes the background's part of the record. The device must outlive it.
-    BackgroundOnDevice(const vulkan::Device& device, const PreparedPicture& picture,
-                       gpu_layout::PictureRecord& record);
-
-    /// Whether there is anything to be drawn.
-    bool visible() const { return visible_; }
-
-private:
-    std::optional<vulkan::Buffer> panorama_; ///< read by address
-    bool visible_ = false;
-};
+/// Writes the background's part of the record; whether there is anything to be drawn. `on_device`: the picture's
+/// environment, where its panorama goes if that is seen. Throws Error(no_device).
+bool describe_background(const vulkan::Device& device, const PreparedPicture& picture,
+                         EnvironmentOnDevice& on_device, gpu_layout::PictureRecord& record);
 
 } // namespace lambent::draw

@@ -1,5 +1,6 @@
 #include "draw/vulkan/environment_on_device.h"
 
+#include "draw/vulkan/filled_buffer.h"
 #include "environment/packed_texel.h"
 
 #include <tbb/parallel_for.h>
@@ -23,6 +24,12 @@ TextureShape cube_shape(const CubeChain* cube)
         shape.levels = static_cast<std::uint32_t>(cube->levels);
     }
     return shape;
+}
+
+// Null: none.
+const std::vector<Panorama>* mips_of(const LightContext& context)
+{
+    return context.mip_chain && !context.mip_chain->empty() ? context.mip_chain : nullptr;
 }
 
 TextureShape mips_shape(const std::vector<Panorama>* mips)
@@ -92,13 +99,13 @@ void fill_mips(const std::vector<Panorama>& mips, std::byte* memory, const std::
 
 } // namespace
 
-EnvironmentOnDevice::EnvironmentOnDevice(const Device& device, const environment::Environment* environment,
-                                         const std::vector<Panorama>* mips)
+EnvironmentOnDevice::EnvironmentOnDevice(const Device& device, const LightContext& context)
     : clamped_(device, vulkan::Filter::clamped), around_(device, vulkan::Filter::around),
-      chain_(device, cube_shape(environment ? &environment->chain : nullptr)),
-      irradiance_(device, cube_shape(environment ? &environment->irradiance : nullptr)),
-      mips_(device, mips_shape(mips))
+      chain_(device, cube_shape(context.environment ? &context.environment->chain : nullptr)),
+      irradiance_(device, cube_shape(context.environment ? &context.environment->irradiance : nullptr)),
+      mips_(device, mips_shape(mips_of(context)))
 {
+    const environment::Environment* const environment = context.environment;
     constexpr std::uint32_t halfs = 8, floats = 16;
     upload(device, chain_, halfs, [&](std::byte* memory, const std::vector<LevelBytes>& levels) {
         if (environment)
@@ -109,9 +116,40 @@ EnvironmentOnDevice::EnvironmentOnDevice(const Device& device, const environment
             fill_cube(environment->irradiance, memory, levels);
     });
     upload(device, mips_, floats, [&](std::byte* memory, const std::vector<LevelBytes>& levels) {
-        if (mips)
+        if (const std::vector<Panorama>* const mips = mips_of(context))
             fill_mips(*mips, memory, levels);
     });
+}
+
+void EnvironmentOnDevice::offer(std::array<vulkan::Resource, gpu_layout::binding_count>& resources) const
+{
+    resources[gpu_layout::binding_chain] = {nullptr, &chain_, clamped_.handle()};
+    resources[gpu_layout::binding_irradiance] = {nullptr, &irradiance_, clamped_.handle()};
+    resources[gpu_layout::binding_mips] = {nullptr, &mips_, around_.handle()};
+}
+
+const Buffer& EnvironmentOnDevice::panorama(const Device& device, const Panorama& panorama)
+{
+    if (!panorama_) {
+        const std::span<const std::byte> texels = std::as_bytes(std::span(panorama.texels));
+        panorama_.emplace(filled_buffer(
+            device, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT,
+            {&texels, 1}));
+    }
+    return *panorama_;
+}
+
+EnvironmentOnDevice& KeptEnvironment::of(const Device& device, const LightContext& context)
+{
+    const std::uint64_t number = context.environment ? context.environment->identity.number() : 0;
+    const bool mips = mips_of(context) != nullptr;
+    if (!kept_ || number_ != number || (mips && !has_mips_)) {
+        kept_.reset(); // before there is another
+        kept_.emplace(device, context);
+        number_ = number;
+        has_mips_ = mips;
+    }
+    return *kept_;
 }
 
 } // namespace lambent::draw

@@ -79,10 +79,7 @@ std::vector<float> albedo_values()
 
 PictureOnDevice::PictureOnDevice(const vulkan::Device& device, const LightContext& context,
                                  std::span<const LightSource> lights)
-    : record_(record_of(context, lights.size())),
-      environment_(device, context.environment,
-                   context.mip_chain && !context.mip_chain->empty() ? context.mip_chain : nullptr),
-      lights_(filled_buffer(device, records_of(lights))),
+    : record_(record_of(context, lights.size())), lights_(filled_buffer(device, records_of(lights))),
       samples_(filled_buffer(device, records_of(*context.tables))),
       lamps_(filled_buffer(device, records_of(context.environment))),
       albedo_(filled_buffer(device, albedo_values()))
@@ -95,9 +92,6 @@ void PictureOnDevice::offer(std::array<vulkan::Resource, binding_count>& resourc
     resources[binding_samples].buffer = &samples_;
     resources[binding_lamps].buffer = &lamps_;
     resources[binding_albedo].buffer = &albedo_;
-    resources[binding_chain] = environment_.chain();
-    resources[binding_irradiance] = environment_.irradiance();
-    resources[binding_mips] = environment_.mips();
 }
 
 } // namespace lambent::draw

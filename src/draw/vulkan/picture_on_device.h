@@ -2,8 +2,8 @@
 #pragma once
 
 #include "draw/prepared_picture.h"
-#include "draw/vulkan/environment_on_device.h"
 #include "gpu_layout/layout.h"
+#include "vulkan/commands.h"
 
 #include <array>
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace lambent::draw {
 
-/// Environment, lights and tables of points. Throws Error(no_device).
+/// Lights and tables of points. Throws Error(no_device).
 class PictureOnDevice {
 public:
     /// The device must outlive it. Nothing is kept of the others.
@@ -26,7 +26,6 @@ public:
 
 private:
     gpu_layout::PictureRecord record_{};
-    EnvironmentOnDevice environment_;
     vulkan::Buffer lights_, samples_, lamps_, albedo_;
 };
 

@@ -104,7 +104,7 @@ PicturePasses::PicturePasses(const DeviceTools& tools, const PreparedPicture& pi
                              const scene::Bounds& bounds)
     : tools_(tools), prepared_(picture), bounds_(bounds), looks_(look_places(picture.edges)),
       picture_(tools.device, picture.light, picture.lights), record_(picture_.record()),
-      background_(tools.device, picture, record_), set_(bind())
+      has_background_(describe_background(tools.device, picture, tools.environment, record_)), set_(bind())
 {
     tools_.tile.place_looks(looks_);
     describe_rays(picture.rays, record_);
@@ -121,6 +121,7 @@ vulkan::BindingSet PicturePasses::bind() const
 {
     std::array<vulkan::Resource, binding_count> resources{};
     picture_.offer(resources);
+    tools_.environment.offer(resources);
     tools_.tile.offer(resources);
     resources[binding_instances].buffer = &tools_.scene.instances();
     resources[binding_meshes].buffer = &tools_.scene.meshes();
@@ -222,7 +223,7 @@ void PicturePasses::draw_wave(int wave, Commands& commands)
 
 void PicturePasses::finish(Commands& commands)
 {
-    if (background_.visible()) {
+    if (has_background_) {
         commands.lap("background");
         commands.dispatch(tools_.passes.background(), set_, no_constants, blocks(record_.tile));
     }

@@ -21,6 +21,7 @@ struct DeviceTools {
     const vulkan::ShaderLayout& layout;
     const SceneOnDevice& scene;
     const TileOnDevice& tile;
+    EnvironmentOnDevice& environment; ///< the picture's
     Passes& passes;
 };
 
@@ -69,7 +70,7 @@ private:
     std::vector<glm::vec2> looks_;
     PictureOnDevice picture_;
     gpu_layout::PictureRecord record_;
-    BackgroundOnDevice background_;
+    bool has_background_;
     vulkan::BindingSet set_;
     std::vector<Lap> times_;
 };

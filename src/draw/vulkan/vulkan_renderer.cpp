@@ -66,7 +66,9 @@ public:
     bool advance(Unfinished& picture, const Drawing::GoOn& go_on)
     {
         prepare(picture.prepared, static_cast<int>(picture.frame.layers.size()));
-        PicturePasses passes({device_, *layout_, *prepared_, *tile_, *passes_}, picture.prepared, bounds_);
+        EnvironmentOnDevice& environment = environment_.of(device_, picture.prepared.light);
+        PicturePasses passes({device_, *layout_, *prepared_, *tile_, environment, *passes_}, picture.prepared,
+                             bounds_);
         const TileShape& shape = tile_->shape();
         for (bool going = true; going && !picture.is_whole();) {
             const PictureArea area = picture.next(shape);
@@ -133,6 +135,7 @@ private:
     TexelTransfer prepared_transfer_ = TexelTransfer::srgb;
     std::optional<Passes> passes_;
     std::optional<TileOnDevice> tile_;
+    KeptEnvironment environment_;
 };
 
 class DeviceDrawing : public Drawing {

@@ -1,0 +1,34 @@
+#include "base/identity.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <utility>
+
+namespace lambent {
+namespace {
+
+TEST(Identity, IsOfOneThingAlone)
+{
+    Identity a, b, copy(a);
+    std::set<std::uint64_t> numbers = {a.number(), b.number(), copy.number()};
+    EXPECT_EQ(numbers.size(), 3u);
+    EXPECT_EQ(numbers.count(0), 0u);
+    b = a; // other contents, so another thing
+    EXPECT_TRUE(numbers.insert(b.number()).second);
+}
+
+TEST(Identity, GoesWithTheContents)
+{
+    Identity a, b;
+    const std::uint64_t first = a.number();
+    Identity moved(std::move(a));
+    EXPECT_EQ(moved.number(), first);
+    EXPECT_NE(a.number(), first);
+    b = std::move(moved);
+    EXPECT_EQ(b.number(), first);
+    EXPECT_NE(moved.number(), first);
+}
+
+} // namespace
+} // namespace lambent
