@@ -105,7 +105,6 @@ protected:
     // two looks that are equally near to the middle of a surface either is lit.
     void expect_parity(const scene::Scene& scene, const Settings& settings, const std::string& name)
     {
-        const test::LeaksOfDrivers allowed;
         Settings layered = settings;
         layered.layers = true;
         const Frame wanted = make_cpu_renderer(scene)->draw(&kitchen(), layered);
@@ -178,7 +177,6 @@ TEST_F(PictureParity, WhatIsTransparentAndWhatIsUnlit)
 
 TEST_F(PictureParity, DarknessAndEmptyPicturesAreDrawn)
 {
-    const test::LeaksOfDrivers allowed;
     const scene::Scene scene = scene::make_builtin("report");
     const std::unique_ptr<VulkanRenderer> renderer = make_vulkan_renderer(scene, {true, true, {}});
     Settings settings = settings_for(scene, Model::ggx);
@@ -286,7 +284,6 @@ TEST_F(PictureParity, TilesMeetWithoutASeam)
 // Triangles so small that a pixel shows a dozen: more surfaces than a tile has room for, which is drawn in parts.
 TEST_F(PictureParity, MoreSurfacesThanRoom)
 {
-    const test::LeaksOfDrivers allowed;
     scene::Scene scene = scene::make_builtin("plane");
     scene::Mesh& mesh = scene.meshes[0];
     mesh = {};
@@ -325,7 +322,6 @@ TEST_F(PictureParity, MoreSurfacesThanRoom)
 // otherwise.
 TEST_F(PictureParity, EnvironmentsFollowEachOther)
 {
-    const test::LeaksOfDrivers allowed;
     const scene::Scene scene = testing::pose_scene(0.0f);
     const std::unique_ptr<VulkanRenderer> renderer = make_vulkan_renderer(scene, {true, true, {}});
     std::optional<environment::Environment> light;
@@ -356,7 +352,6 @@ TEST_F(PictureParity, EnvironmentsFollowEachOther)
 // Wider than a tile is: drawn bit by bit, with another picture and another pose between, it is the same.
 TEST_F(PictureParity, InPiecesItIsTheSame)
 {
-    const test::LeaksOfDrivers allowed;
     const scene::Scene scene = testing::pose_scene(0.0f), moved = testing::pose_scene(1.0f);
     Settings settings = settings_for(scene, Model::ggx);
     settings.width = 4200;
@@ -380,7 +375,6 @@ TEST_F(PictureParity, InPiecesItIsTheSame)
 // Another moment is drawn as by a renderer of its own, with the textures of the first.
 TEST_F(PictureParity, APoseIsAsAScene)
 {
-    const test::LeaksOfDrivers allowed;
     const scene::Scene first = testing::pose_scene(0.0f), second = testing::pose_scene(1.0f);
     scene::Scene without_images = second;
     without_images.images.clear();
@@ -401,7 +395,6 @@ TEST_F(PictureParity, APoseIsAsAScene)
 
 TEST_F(PictureParity, CompiledShadersAreKept)
 {
-    const test::LeaksOfDrivers allowed;
     const lambent::testing::Folder folder;
     const scene::Scene scene = scene::make_builtin("plane");
     make_vulkan_renderer(scene, {true, false, folder.path("")})

@@ -37,7 +37,6 @@ protected:
         });
     }
 
-    test::LeaksOfDrivers allowed_;
     std::unique_ptr<DevicePrefilter> device_;
 };
 

@@ -17,12 +17,6 @@ using vulkan::Groups;
 // Whether a test is to fail, not to be skipped, where there is no device: LAMBENT_REQUIRE_VULKAN=1 in the environment.
 bool vulkan_required();
 
-// Drivers keep some memory to the end of the program: not leaks of ours while one of these lives.
-struct LeaksOfDrivers {
-    LeaksOfDrivers();
-    ~LeaksOfDrivers();
-};
-
 class Compute {
 public:
     // Any device, hardware first. Null where there is no Vulkan library or no device that will do. Where the Khronos
@@ -43,7 +37,6 @@ public:
 private:
     Compute();
 
-    LeaksOfDrivers leaks_;
     vulkan::Instance instance_;
     vulkan::Device device_;
     vulkan::PipelineCache cache_;
