@@ -110,6 +110,11 @@ const std::vector<AnimationInfo>& GltfFile::animations() const
     return opened_->infos;
 }
 
+const std::vector<std::filesystem::path>& GltfFile::files() const
+{
+    return opened_->document.beside;
+}
+
 Scene GltfFile::scene(const std::optional<Moment>& moment, Warnings& warnings) const
 {
     ShapeStore shapes;

@@ -51,6 +51,10 @@ public:
 
     const std::vector<AnimationInfo>& animations() const;
 
+    /// The files beside it that it names: buffers and images, also those that the scene does not show. None where it is
+    /// read from memory.
+    const std::vector<std::filesystem::path>& files() const;
+
     /// The scene at a moment, or as load_gltf reads it. Nodes, joints, morph targets, and with them cameras and lights,
     /// go where the animation has them; rest_bounds says where the scene is without. In a file with animations the last
     /// mesh is empty: instances show it while they are flattened.

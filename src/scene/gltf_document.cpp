@@ -137,6 +137,17 @@ BufferBytes open_buffer(const json& buffer, std::span<const std::uint8_t> binary
     return {bytes.first(length), true};
 }
 
+// What cannot be a file is said where it is wanted.
+void note_beside(const std::string& uri, Document& document)
+{
+    if (uri.empty() || is_data_uri(uri) || !document.folder)
+        return;
+    try {
+        document.beside.push_back(*document.folder / relative_path(uri, document.file));
+    } catch (const Error&) {
+    }
+}
+
 } // namespace
 
 std::uint64_t Document::buffer_bytes() const
@@ -194,8 +205,12 @@ Document open_document(const GltfSource& source, Warnings& warnings)
     const json buffers = take(parsed, "buffers");
     fill_in_for_tinygltf(parsed);
     document.model = parse_model(parsed.dump(), source.file);
-    for (const json& buffer : buffers)
+    for (const json& buffer : buffers) {
+        note_beside(buffer.value("uri", ""), document);
         document.buffers.push_back(open_buffer(buffer, container.binary, document));
+    }
+    for (const ImageSource& image : document.images)
+        note_beside(image.uri, document);
     return document;
 }
 

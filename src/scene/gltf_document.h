@@ -49,6 +49,7 @@ struct Document {
     std::vector<BufferBytes> buffers;
     std::vector<ImageSource> images;
     std::vector<AnimationSource> animations;
+    std::vector<std::filesystem::path> beside;      ///< the files that it names, wanted or not; there or not
     std::vector<std::vector<std::uint8_t>> storage; ///< what `buffers` point into, unless it is the source
 
     Document() = default;

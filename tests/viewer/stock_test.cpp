@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <condition_variable>
+#include <cstring>
 #include <fstream>
 
 namespace lambent::viewer {
@@ -89,6 +90,38 @@ TEST(Stock, LoadsFilesAgainWhenTheyChangeAndKeepsTheOldWhenTheyBreak)
     write(file, empty_model);
     EXPECT_TRUE(eventually(stock, arguments, [&](const Found<Model>& found) {
         return found.error.empty() && found.value != second;
+    }));
+}
+
+// Buffers and images beside a glTF are as much of it as its own file; one that breaks it is said, and mended by itself.
+TEST(Stock, WatchesTheFilesBesideAModel)
+{
+    const testing::Folder folder;
+    const std::string file = folder.path("a.gltf"), buffer = folder.path("a b.bin");
+    const std::string corners(36, '\0');
+    write(buffer, corners);
+    write(file,
+          R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36, "uri": "a%20b.bin"}]})");
+    Stock stock({.cache = false});
+    const cli::RenderArguments arguments = arguments_for(file);
+    stock.load(arguments);
+    const std::shared_ptr<Model> first = stock.model(arguments).value;
+    EXPECT_EQ(first->bounds().high.x, 0.0f);
+    const auto write_corner = [&](std::size_t bytes) {
+        std::string moved = corners;
+        const float far = 3.0f;
+        std::memcpy(moved.data(), &far, sizeof far);
+        write(buffer, moved.substr(0, bytes));
+    };
+    write_corner(20);
+    EXPECT_TRUE(eventually(stock, arguments, [](const Found<Model>& found) { return !found.error.empty(); }));
+    EXPECT_EQ(stock.model(arguments).value, first);
+    write_corner(36);
+    EXPECT_TRUE(eventually(stock, arguments, [](const Found<Model>& found) {
+        return found.error.empty() && found.value->bounds().high.x == 3.0f;
     }));
 }
 

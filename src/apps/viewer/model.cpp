@@ -17,13 +17,15 @@ bool same(const std::optional<scene::Moment>& a, const std::optional<scene::Mome
 
 } // namespace
 
-Model::Model(const cli::RenderArguments& arguments, cli::RendererChoice backend)
+Model::Model(const cli::RenderArguments& arguments, cli::RendererChoice backend, const NoteFiles& note)
     : backend_(std::move(backend))
 {
     if (scene::is_builtin(arguments.scene)) {
         scene_ = scene::make_builtin(arguments.scene, arguments.builtin);
     } else {
         file_ = std::make_unique<scene::GltfFile>(arguments.scene, warnings_);
+        if (note)
+            note(file_->files());
         scene_ = file_->scene(std::nullopt, warnings_);
         if (file_->animations().empty())
             file_.reset(); // its bytes are needed no more

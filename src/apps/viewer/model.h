@@ -8,18 +8,24 @@
 #include "scene/gltf.h"
 #include "scene/scene.h"
 
+#include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace lambent::viewer {
 
 /// Immutable but for pose(), renderer() and whole_scene(), which one thread alone may call.
 class Model {
 public:
+    /// Told of the files beside a scene's own that it is read from, before most of them are read.
+    using NoteFiles = std::function<void(const std::vector<std::filesystem::path>&)>;
+
     /// A built-in scene or a file, with the arguments' options for built-in shapes; it stands as the file has it.
     /// Throws Error.
-    Model(const cli::RenderArguments& arguments, cli::RendererChoice backend);
+    Model(const cli::RenderArguments& arguments, cli::RendererChoice backend, const NoteFiles& note = {});
 
     /// As it stands without animation.
     const scene::Scene& scene() const { return scene_; }

@@ -5,6 +5,7 @@
 #include "environment/builtin.h"
 #include "scene/builtin.h"
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <filesystem>
@@ -22,6 +23,25 @@ std::string signature_of(const std::string& file)
     if (error)
         return "";
     return text(time.time_since_epoch().count(), " ", std::filesystem::file_size(file, error));
+}
+
+bool has_changed(const std::map<std::string, std::string>& watch)
+{
+    return std::any_of(watch.begin(), watch.end(),
+                       [](const auto& file) { return signature_of(file.first) != file.second; });
+}
+
+// From now on the file and these, of which those that are new are about to be read.
+void watch_too(const std::vector<std::filesystem::path>& beside, const std::string& file,
+               std::map<std::string, std::string>& watch)
+{
+    std::map<std::string, std::string> next = {{file, watch.at(file)}};
+    for (const std::filesystem::path& path : beside) {
+        const std::string name = path.string();
+        if (next.size() < Stock::most_watched)
+            next.emplace(name, watch.contains(name) ? watch.at(name) : signature_of(name));
+    }
+    watch = std::move(next);
 }
 
 std::string model_key(const cli::RenderArguments& arguments)
@@ -70,6 +90,8 @@ Found<T> Stock::find(const std::string& key, const std::string& file, const Load
     if (!slot.loaded && !slot.busy && waiting_.size() < most_waiting) {
         slot.load = load;
         slot.file = file;
+        if (!file.empty())
+            slot.watch = {{file, ""}};
         slot.busy = true;
         waiting_.push_back(key);
         wake_.notify_all();
@@ -80,27 +102,29 @@ Found<T> Stock::find(const std::string& key, const std::string& file, const Load
 Found<Model> Stock::model(const cli::RenderArguments& arguments)
 {
     const std::string file = scene::is_builtin(arguments.scene) ? "" : arguments.scene;
-    return find<Model>(model_key(arguments), file, [arguments, options = options_] {
-        return std::make_shared<Model>(arguments,
-                                       cli::RendererChoice{options.backend, options.cache, options.warn});
+    return find<Model>(model_key(arguments), file, [arguments, options = options_](const NoteFiles& note) {
+        const cli::RendererChoice backend = {options.backend, options.cache, options.warn};
+        return std::make_shared<Model>(arguments, backend, note);
     });
 }
 
 Found<const cli::LoadedEnvironment> Stock::environment(const std::string& name)
 {
-    return find<const cli::LoadedEnvironment>(
-        text("environment\n", name), file_of_environment(name), [name, cache = options_.cache] {
-            return std::make_shared<cli::LoadedEnvironment>(cli::load_environment(name, cache));
-        });
+    return find<const cli::LoadedEnvironment>(text("environment\n", name), file_of_environment(name),
+                                              [name, cache = options_.cache](const NoteFiles&) {
+                                                  return std::make_shared<cli::LoadedEnvironment>(
+                                                      cli::load_environment(name, cache));
+                                              });
 }
 
 Found<const RawEnvironment> Stock::raw_environment(const std::string& name)
 {
-    return find<const RawEnvironment>(text("raw\n", name), file_of_environment(name), [name] {
-        Warnings said_already;
-        return std::make_shared<RawEnvironment>(
-            RawEnvironment{cli::load_raw_environment(name, said_already)});
-    });
+    return find<const RawEnvironment>(text("raw\n", name), file_of_environment(name),
+                                      [name](const NoteFiles&) {
+                                          Warnings said_already;
+                                          return std::make_shared<RawEnvironment>(
+                                              RawEnvironment{cli::load_raw_environment(name, said_already)});
+                                      });
 }
 
 Stock::Slot& Stock::wait_for(const std::string& key, std::unique_lock<std::mutex>& lock)
@@ -141,14 +165,19 @@ void Stock::load_one(std::unique_lock<std::mutex>& lock)
     waiting_.pop_front();
     const Load load = slots_[key].load;
     const std::string file = slots_[key].file;
+    Watch watch = slots_[key].watch;
     lock.unlock();
     // Before the loading: what is written meanwhile is loaded again.
-    const std::string signature = file.empty() ? "" : signature_of(file);
+    for (auto& [name, signature] : watch)
+        signature = signature_of(name);
+    const auto note = [&](const std::vector<std::filesystem::path>& beside) {
+        watch_too(beside, file, watch);
+    };
     Thing value;
     std::string problem;
     Failure failure = Failure::bad_input;
     try {
-        value = load();
+        value = load(note);
     } catch (const Error& error) {
         problem = one_line(error.what());
         failure = error.failure();
@@ -164,7 +193,7 @@ void Stock::load_one(std::unique_lock<std::mutex>& lock)
         slot.value = std::move(value);
     slot.error = std::move(problem);
     slot.failure = failure;
-    slot.signature = signature;
+    slot.watch = std::move(watch);
     slot.loaded = true;
     slot.busy = false;
     drop_unused();
@@ -182,7 +211,7 @@ void Stock::load_one(std::unique_lock<std::mutex>& lock)
 void Stock::look_at_files()
 {
     for (auto& [key, slot] : slots_)
-        if (slot.loaded && !slot.busy && !slot.file.empty() && signature_of(slot.file) != slot.signature) {
+        if (slot.loaded && !slot.busy && has_changed(slot.watch)) {
             slot.busy = true;
             waiting_.push_back(key);
         }

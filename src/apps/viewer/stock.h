@@ -64,13 +64,18 @@ public:
 
     /// How often files are looked at, and how much is kept that nobody looks at.
     static constexpr int watch_ms = 300, most_kept = 6, most_waiting = 8;
+    static constexpr std::size_t most_watched = 256; ///< files of one thing
 
 private:
     using Thing = std::shared_ptr<void>;
-    using Load = std::function<Thing()>;
+    using NoteFiles = Model::NoteFiles;
+    using Load = std::function<Thing(const NoteFiles&)>;
+    /// Files, and what tells that they have changed since they were read.
+    using Watch = std::map<std::string, std::string>;
     struct Slot {
         Thing value;
-        std::string error, file, signature; ///< of the file when it was loaded; no file: built-in
+        std::string error, file; ///< no file: built-in
+        Watch watch;
         Failure failure = Failure::bad_input;
         Load load;
         bool loaded = false, busy = false;
