@@ -349,6 +349,29 @@ TEST_F(PictureParity, EnvironmentsFollowEachOther)
     EXPECT_EQ(renderer->complaints(), std::vector<std::string>());
 }
 
+// What pictures of other sizes, looks, layers and models are drawn with is kept and shared.
+TEST_F(PictureParity, PicturesTakeTurns)
+{
+    const scene::Scene scene = testing::pose_scene(0.0f);
+    std::vector<Settings> all(4, settings_for(scene, Model::ggx));
+    all[1].width = 20, all[1].height = 90, all[1].edge_samples = 1;
+    all[2].width = 130, all[2].height = 10, all[2].layers = true;
+    all[3].model = Model::phong, all[3].width = 100, all[3].height = 100;
+    std::vector<Frame> alone;
+    for (const Settings& settings : all)
+        alone.push_back(make_vulkan_renderer(scene, {true, true, {}})->draw(&kitchen(), settings));
+    const std::unique_ptr<VulkanRenderer> renderer = make_vulkan_renderer(scene, {true, true, {}});
+    for (const std::size_t i : {0, 1, 0, 2, 3, 1, 2, 0}) {
+        SCOPED_TRACE(i);
+        const Frame found = renderer->draw(&kitchen(), all[i]);
+        EXPECT_EQ(found.radiance.values, alone[i].radiance.values);
+        ASSERT_EQ(found.layers.size(), alone[i].layers.size());
+        for (std::size_t layer = 0; layer < found.layers.size(); ++layer)
+            EXPECT_EQ(found.layers[layer].image.values, alone[i].layers[layer].image.values);
+    }
+    EXPECT_EQ(renderer->complaints(), std::vector<std::string>());
+}
+
 // Wider than a tile is: drawn bit by bit, with another picture and another pose between, it is the same.
 TEST_F(PictureParity, InPiecesItIsTheSame)
 {

@@ -34,13 +34,10 @@ std::size_t output_bytes(const TileShape& s)
     return s.pixels() * static_cast<std::size_t>(1 + s.layers) * sizeof(vec4);
 }
 
-} // namespace
-
-TileShape tile_shape(const vulkan::Device& device, const Settings& settings, int looks, int layers)
+// How many pixels suit a device's memory.
+std::size_t most_pixels(const vulkan::Device& device, int looks, int layers)
 {
-    constexpr int widest = 4096;
-    constexpr std::size_t least_pixels = 4096,
-                          per_fragment = column_count * sizeof(float) + sizeof(FragmentRecord);
+    constexpr std::size_t least = 4096, per_fragment = column_count * sizeof(float) + sizeof(FragmentRecord);
     const auto all_looks = static_cast<std::size_t>(looks), all_layers = static_cast<std::size_t>(1 + layers);
     const std::size_t per_pixel = 3 * per_fragment / 2 + all_looks * (2 * sizeof(uint) + sizeof(vec4)) +
                                   sizeof(uint) + 3 * sizeof(uvec4) + 2 * all_layers * sizeof(vec4);
@@ -48,19 +45,43 @@ TileShape tile_shape(const vulkan::Device& device, const Settings& settings, int
     const std::size_t most = device.is_software() ? std::size_t{256} << 20 : std::size_t{3} << 29;
     // The largest buffer has to fit into a binding.
     const std::size_t bound = device.properties().limits.maxStorageBufferRange / (3 * per_fragment / 2);
-    const std::size_t pixels = std::max(
+    return std::max(
         std::min({most / per_pixel, static_cast<std::size_t>(device.own_memory()) / 4 / per_pixel, bound}),
-        least_pixels);
+        least);
+}
+
+// Where all pixels are edges a tile is drawn in parts.
+std::size_t capacity_of(const TileShape& shape)
+{
+    const std::size_t group = group_size;
+    return std::max(3 * shape.pixels() / 2, static_cast<std::size_t>(shape.looks) * group) + group;
+}
+
+} // namespace
+
+TileShape tile_shape(const vulkan::Device& device, const Settings& settings, int looks, int layers)
+{
+    constexpr int widest = 4096;
+    const std::size_t pixels = most_pixels(device, looks, layers);
     TileShape shape;
     shape.width = std::min(settings.width, widest);
     shape.height = static_cast<int>(std::clamp<std::size_t>(pixels / static_cast<std::size_t>(shape.width), 1,
                                                             static_cast<std::size_t>(settings.height)));
     shape.looks = looks;
     shape.layers = layers;
-    // Where all pixels are edges a tile is drawn in parts.
-    shape.capacity =
-        std::max(3 * shape.pixels() / 2, all_looks * static_cast<std::size_t>(group_size)) + group_size;
+    shape.capacity = capacity_of(shape);
     return shape;
+}
+
+TileShape united(const vulkan::Device& device, const TileShape& first, const TileShape& second)
+{
+    TileShape both;
+    both.width = std::max(first.width, second.width);
+    both.height = std::max(first.height, second.height);
+    both.looks = std::max(first.looks, second.looks);
+    both.layers = std::max(first.layers, second.layers);
+    both.capacity = capacity_of(both);
+    return both.pixels() <= most_pixels(device, both.looks, both.layers) ? both : first;
 }
 
 TileOnDevice::TileOnDevice(const vulkan::Device& device, const TileShape& shape)

@@ -19,11 +19,20 @@ struct TileShape {
     std::size_t capacity = 1;  ///< fragments
 
     std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
-    bool operator==(const TileShape&) const = default;
+
+    /// Whether what needs another fits, too.
+    bool covers(const TileShape& other) const
+    {
+        return width >= other.width && height >= other.height && looks >= other.looks &&
+               layers >= other.layers && capacity >= other.capacity;
+    }
 };
 
 /// The largest tiles of a picture that suit a device's memory.
 TileShape tile_shape(const vulkan::Device& device, const Settings& settings, int looks, int layers);
+
+/// One that covers both if it suits the device's memory, too; else the first.
+TileShape united(const vulkan::Device& device, const TileShape& first, const TileShape& second);
 
 /// Throws Error(no_device).
 class TileOnDevice {

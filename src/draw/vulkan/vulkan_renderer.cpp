@@ -3,6 +3,7 @@
 #include "draw/vulkan/picture_passes.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -65,11 +66,17 @@ public:
     // What of the picture is on the device goes when this ends: who knows what becomes of it before the next time.
     bool advance(Unfinished& picture, const Drawing::GoOn& go_on)
     {
-        prepare(picture.prepared, static_cast<int>(picture.frame.layers.size()));
+        const Settings& settings = picture.settings;
+        prepare_scene(settings.texel_transfer);
+        const PassChoice choice = {static_cast<int>(look_places(picture.prepared.edges).size()),
+                                   settings.model, settings.mip_level, !first_.images.empty(),
+                                   prepared_->transparent()};
+        const TileShape shape =
+            tile_shape(device_, settings, choice.looks, static_cast<int>(picture.frame.layers.size()));
+        prepare_tile(shape);
         EnvironmentOnDevice& environment = environment_.of(device_, picture.prepared.light);
-        PicturePasses passes({device_, *layout_, *prepared_, *tile_, environment, *passes_}, picture.prepared,
-                             bounds_);
-        const TileShape& shape = tile_->shape();
+        PicturePasses passes({device_, *layout_, *prepared_, *tile_, environment, passes_for(choice)},
+                             picture.prepared, bounds_);
         for (bool going = true; going && !picture.is_whole();) {
             const PictureArea area = picture.next(shape);
             passes.draw(area, picture.frame);
@@ -96,32 +103,44 @@ public:
     std::vector<std::string> complaints() const override { return instance_.complaints(); }
 
 private:
-    // What is kept from picture to picture.
-    void prepare(const PreparedPicture& picture, int layers)
+    // All of this is kept from picture to picture: most are as the one before, or as the one before that.
+    void prepare_scene(TexelTransfer transfer)
     {
-        const Settings& settings = picture.settings;
         if (stale_)
             bounds_ = scene::bounds(*scene_);
-        if (!prepared_ || prepared_transfer_ != settings.texel_transfer) {
+        if (!prepared_ || prepared_transfer_ != transfer) {
             prepared_.reset();
-            prepared_.emplace(device_, first_, *scene_, settings.texel_transfer);
-            prepared_transfer_ = settings.texel_transfer;
+            prepared_.emplace(device_, first_, *scene_, transfer);
+            prepared_transfer_ = transfer;
         } else if (stale_) {
             prepared_->pose(device_, *scene_);
         }
         stale_ = false;
-        const PassChoice choice = {static_cast<int>(look_places(picture.edges).size()), settings.model,
-                                   settings.mip_level, !first_.images.empty(), prepared_->transparent()};
-        if (!passes_ || passes_->choice() != choice) {
-            passes_.reset();
-            passes_.emplace(cache_, *layout_, choice);
-        }
-        const TileShape shape = tile_shape(device_, settings, choice.looks, layers);
-        if (!tile_ || tile_->shape() != shape) {
-            tile_.reset();
-            tile_.emplace(device_, shape);
-        }
     }
+
+    // One that is larger will do, and serves all pictures that take turns.
+    void prepare_tile(const TileShape& shape)
+    {
+        if (tile_ && tile_->shape().covers(shape))
+            return;
+        const TileShape both = tile_ ? united(device_, shape, tile_->shape()) : shape;
+        tile_.reset(); // before there is another
+        tile_.emplace(device_, both);
+    }
+
+    Passes& passes_for(const PassChoice& choice)
+    {
+        const auto same = [&](const std::unique_ptr<Passes>& other) { return other->choice() == choice; };
+        const auto found = std::find_if(passes_.begin(), passes_.end(), same);
+        if (found != passes_.end())
+            return **found;
+        if (passes_.size() >= most_passes)
+            passes_.erase(passes_.begin());
+        return *passes_.emplace_back(std::make_unique<Passes>(cache_, *layout_, choice));
+    }
+
+    // Those of pictures that move and at rest, of one model and of the other.
+    static constexpr std::size_t most_passes = 4;
 
     const scene::Scene& first_; ///< has the images
     const scene::Scene* scene_; ///< as it is drawn
@@ -133,7 +152,7 @@ private:
     std::unique_ptr<vulkan::ShaderLayout> layout_;
     std::optional<SceneOnDevice> prepared_;
     TexelTransfer prepared_transfer_ = TexelTransfer::srgb;
-    std::optional<Passes> passes_;
+    std::vector<std::unique_ptr<Passes>> passes_; ///< the oldest first
     std::optional<TileOnDevice> tile_;
     KeptEnvironment environment_;
 };
