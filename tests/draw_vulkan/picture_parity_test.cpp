@@ -358,6 +358,7 @@ TEST_F(PictureParity, PicturesTakeTurns)
     all[2].width = 130, all[2].height = 10, all[2].layers = true;
     all[3].model = Model::phong, all[3].width = 100, all[3].height = 100;
     std::vector<Frame> alone;
+    alone.reserve(all.size());
     for (const Settings& settings : all)
         alone.push_back(make_vulkan_renderer(scene, {true, true, {}})->draw(&kitchen(), settings));
     const std::unique_ptr<VulkanRenderer> renderer = make_vulkan_renderer(scene, {true, true, {}});

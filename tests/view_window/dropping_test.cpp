@@ -28,6 +28,7 @@ TEST_F(ViewWindow, OpensWhatIsDropped)
     const Screenshot before = look();
     const auto dropped = [&](const std::string& title, const std::vector<std::string>& names) {
         std::vector<std::string> files;
+        files.reserve(names.size());
         for (const std::string& name : names)
             files.push_back(path(name));
         const Screenshot last = look();
