@@ -30,8 +30,9 @@ public:
     {
     }
 
-    /// As Tracing::advance.
-    bool advance(const GoOn& go_on);
+    /// As Tracing's.
+    bool advance(const GoOn& go_on, Least least);
+    bool has_picture() const { return samples_ >= 1.0; }
 
     Result result() const
     {
@@ -39,11 +40,11 @@ public:
     }
 
 private:
-    void round(const GoOn& go_on);
+    void round(const GoOn& go_on, Least least);
     void sample_tile(int tile, int count);
     std::vector<int> next_counts() const;
     Progress progress() const;
-    void ask(const GoOn& go_on, bool first_round);
+    void ask(const GoOn& go_on, bool may_be_stopped, bool may_time_out);
     double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
     bool reached_limit() const;
 
@@ -101,30 +102,31 @@ Progress Tracer::progress() const
     return p;
 }
 
-void Tracer::ask(const GoOn& go_on, bool first_round)
+void Tracer::ask(const GoOn& go_on, bool may_be_stopped, bool may_time_out)
 {
     const std::unique_lock lock(asking_, std::try_to_lock);
     if (!lock)
         return;
     if (go_on && !refused_ && !go_on(progress()))
         refused_ = true;
-    if (!first_round && (refused_ || seconds() >= settings_.seconds))
+    if ((refused_ && may_be_stopped) || (may_time_out && seconds() >= settings_.seconds))
         stop_ = true;
 }
 
 // What of it is done already is not done again.
-void Tracer::round(const GoOn& go_on)
+void Tracer::round(const GoOn& go_on, Least least)
 {
-    const bool first = film_.samples(0) == 0;
+    const bool first = !has_picture(), may_be_stopped = !first || least == Least::nothing;
     tbb::parallel_for(0, film_.tile_count(), [&](int tile) {
         const int count = wanted_[static_cast<std::size_t>(tile)];
         if (stop_ || count <= film_.samples(tile))
             return;
         sample_tile(tile, count);
-        ask(go_on, first);
+        ask(go_on, may_be_stopped, !first);
     });
-    noise_ = film_.relative_noise();
     samples_ = film_.mean_samples();
+    if (has_picture())
+        noise_ = film_.relative_noise();
     noise_seconds_ = seconds();
 }
 
@@ -143,7 +145,7 @@ bool Tracer::reached_limit() const
 std::vector<int> Tracer::next_counts() const
 {
     const std::size_t tiles = static_cast<std::size_t>(film_.tile_count());
-    if (!(samples_ >= 1.0))
+    if (!has_picture())
         return std::vector<int>(tiles, 1);
     if (samples_ < std::min(2 * Film::replicates, settings_.samples))
         return std::vector<int>(tiles, std::min(2 * Film::replicates, settings_.samples));
@@ -161,15 +163,15 @@ std::vector<int> Tracer::next_counts() const
     return share_samples(states, next * static_cast<double>(tiles), Film::replicates);
 }
 
-bool Tracer::advance(const GoOn& go_on)
+bool Tracer::advance(const GoOn& go_on, Least least)
 {
     stop_ = refused_ = false;
-    while (!reached_limit() || film_.samples(0) == 0) {
+    while (!reached_limit() || !has_picture()) {
         const double before = samples_;
         const bool begins = wanted_.empty();
         if (begins)
             wanted_ = next_counts();
-        round(go_on);
+        round(go_on, least);
         if (stop_)
             break;
         wanted_.clear();
@@ -178,7 +180,7 @@ bool Tracer::advance(const GoOn& go_on)
         if (begins && !(samples_ > before))
             return true; // nothing is left to be wanted
     }
-    return reached_limit();
+    return reached_limit() && has_picture();
 }
 
 } // namespace
@@ -221,9 +223,14 @@ Tracing::Tracing(const scene::Scene& scene, const image::RadianceImage* panorama
 
 Tracing::~Tracing() = default;
 
-bool Tracing::advance(const GoOn& go_on)
+bool Tracing::advance(const GoOn& go_on, Least least)
 {
-    return parts_->tracer->advance(go_on);
+    return parts_->tracer->advance(go_on, least);
+}
+
+bool Tracing::has_picture() const
+{
+    return parts_->tracer->has_picture();
 }
 
 Result Tracing::result() const
@@ -235,7 +242,7 @@ Result trace(const scene::Scene& scene, const image::RadianceImage* panorama, co
              const GoOn& go_on)
 {
     Tracing tracing(scene, panorama, settings);
-    tracing.advance(go_on);
+    tracing.advance(go_on, Least::one_sample);
     return tracing.result();
 }
 

@@ -48,6 +48,9 @@ struct Result {
 /// Asked now and then, by one thread at a time, whether to go on.
 using GoOn = std::function<bool(const Progress&)>;
 
+/// What a tracing must have done before it may be stopped: nothing, or one sample of each pixel.
+enum class Least { nothing, one_sample };
+
 /// Paths through the scene under a panorama (RGB, finite, not negative, 2x1 or more; null: darkness). After `go_on` says
 /// false, what there is is returned.
 /// Same rays, and same box filter over pixels, as draw/. Throws Error(no_device) where Embree does not run.
@@ -63,12 +66,15 @@ public:
     Tracing(const Tracing&) = delete;
     Tracing& operator=(const Tracing&) = delete;
 
-    /// Goes on until a limit is reached, which it returns, or `go_on` says false, but until each pixel has one sample. Nothing
-    /// is lost by stopping: the samples are those of a trace() that was not stopped. What `go_on` throws is passed on;
-    /// then this is of no more use.
-    bool advance(const GoOn& go_on);
+    /// Goes on until a limit is reached, which it returns, or, at least one tile, until `go_on` says false and `least` is
+    /// done. Nothing is lost by stopping: the samples are those of a trace() that was not stopped. What `go_on` throws is
+    /// passed on; then this is of no more use.
+    bool advance(const GoOn& go_on, Least least);
 
-    /// What there is so far, after the first advance().
+    /// Whether each pixel has a sample.
+    bool has_picture() const;
+
+    /// What there is so far, once there is a picture.
     Result result() const;
 
 private:

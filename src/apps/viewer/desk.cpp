@@ -268,10 +268,11 @@ void Desk::trace(const Plan& plan, Place& place)
     constexpr double step_ms = 400.0;
     const Clock::time_point start = Clock::now();
     const bool finished = plan.trace->advance([&](const reference::Progress&) {
-        return goes_on(plan, place, start) && place.unseen_ms + ms_since(start) < step_ms;
+        const bool is_due = plan.trace->has_picture() && place.unseen_ms + ms_since(start) >= step_ms;
+        return goes_on(plan, place, start) && !is_due;
     });
     place.unseen_ms += ms_since(start);
-    if (!finished && place.unseen_ms < step_ms) {
+    if (!finished && (place.unseen_ms < step_ms || !plan.trace->has_picture())) {
         place.session->paused(plan);
         return;
     }

@@ -41,7 +41,7 @@ bool Trace::advance(const reference::GoOn& go_on)
         const std::optional<image::RadianceImage>& panorama = task_.environment->panorama;
         tracing_.emplace(*scene_, panorama ? &*panorama : nullptr, settings);
     }
-    finished_ = tracing_->advance(go_on);
+    finished_ = tracing_->advance(go_on, reference::Least::nothing);
     return finished_;
 }
 

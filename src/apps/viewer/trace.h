@@ -29,7 +29,10 @@ public:
     /// Throws as that.
     bool advance(const reference::GoOn& go_on);
 
-    /// What there is to see after the first advance(), with its numbers. The rest of the picture is left to the caller.
+    /// Whether there is anything to see.
+    bool has_picture() const { return tracing_ && tracing_->has_picture(); }
+
+    /// What there is to see, with its numbers. The rest of the picture is left to the caller.
     Picture picture() const;
 
 private:
