@@ -256,7 +256,7 @@ TEST(Bake, TurnsWithThePanorama)
                         square += std::pow(std::fmax(std::fabs(is - was) - was * half_step, 0.0), 2);
                         mean += was;
                     }
-        EXPECT_LT(std::sqrt(square / count), 0.004 * mean / count) << "level " << level;
+        EXPECT_LT(std::sqrt(square / count), 1e-4 * mean / count) << "level " << level;
     }
 }
 

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <tbb/global_control.h>
+
 #include <fstream>
 
 namespace lambent::viewer {
@@ -109,18 +111,37 @@ TEST(Desk, AMoveOvertakesALongPicture)
 Wish slow_wish()
 {
     Wish wish = small_wish("grid");
-    wish.values.set("samples", "500");
+    wish.values.set("samples", "260"); // from 256 on everything is looked at more closely
     set_size(wish, 320.0, 240.0);
     return wish;
 }
+
+// On many cores it would not be slow.
+class SlowPictures : public ::testing::Test {
+    tbb::global_control two_cores_{tbb::global_control::max_allowed_parallelism, 2};
+};
 
 void orbit(Seat& seat, std::uint64_t input)
 {
     seat.change(input, [](Wish& w, const Eye::World&) { w.eye.orbit(5.0, 0.0); });
 }
 
+// Moves, and looks each time, until a list of somebody's audience has something. How often.
+template <class List>
+std::uint64_t move_until(Seat& seat, std::uint64_t input, Audience& audience, const List& list)
+{
+    const auto has_come = [&] {
+        const std::lock_guard lock(audience.mutex);
+        return !list.empty();
+    };
+    std::uint64_t moves = 0;
+    for (; !has_come(); ++moves, seat.wait_for(Picture::Kind::moving, input))
+        orbit(seat, ++input);
+    return moves;
+}
+
 // Who moves without end is shown it, and who rests gets the whole picture all the same.
-TEST(Desk, ALongPicturePausesWhileOthersMove)
+TEST_F(SlowPictures, PauseWhileOthersMove)
 {
     Stock stock({.cache = false});
     Desk desk(stock);
@@ -133,19 +154,12 @@ TEST(Desk, ALongPicturePausesWhileOthersMove)
     moving.wait_for(Picture::Kind::rest, 0);
     Seat resting(desk, stock, slow_wish());
     resting.wait_for(Picture::Kind::still, 0);
-    const auto shown = [&] {
-        const std::lock_guard lock(resting.audience->mutex);
-        return !resting.audience->pictures.empty();
-    };
-    std::uint64_t moves = 0;
-    for (; !shown(); moving.wait_for(Picture::Kind::moving, moves))
-        orbit(moving, ++moves);
-    EXPECT_GT(moves, 20u);
+    EXPECT_GT(move_until(moving, 0, *resting.audience, resting.audience->pictures), 20u);
     EXPECT_EQ(resting.wait_for(Picture::Kind::rest, 0).codes.bytes, alone);
 }
 
 // What is saved is the picture of the moment when that was asked for, whatever moves until it is.
-TEST(Desk, AViewMovesWhileItsPictureIsSaved)
+TEST_F(SlowPictures, AreSavedWhileTheViewMoves)
 {
     Stock stock({.cache = false});
     Desk desk(stock);
@@ -155,14 +169,7 @@ TEST(Desk, AViewMovesWhileItsPictureIsSaved)
     const std::string command = command_of(seat.session->wish(), "picture.png");
     seat.session->save("png");
     desk.nudge();
-    const auto saved = [&] {
-        const std::lock_guard lock(seat.audience->mutex);
-        return !seat.audience->saved.empty();
-    };
-    std::uint64_t moves = 1;
-    for (; !saved(); seat.wait_for(Picture::Kind::moving, moves))
-        orbit(seat, ++moves);
-    EXPECT_GT(moves, 10u);
+    EXPECT_GT(move_until(seat, 1, *seat.audience, seat.audience->saved), 10u);
     EXPECT_FALSE(seat.session->is_saving());
     const testing::Folder folder;
     EXPECT_EQ(seat.audience->saved.front().command, command);

@@ -170,12 +170,13 @@ Desk::Places Desk::places()
     return places_;
 }
 
-// `is_moving` of any other place; of this one, too, while it saves a picture, which need not be that of what moves.
+// `is_moving`, which must not wait, of any other place; of this one, too, while it saves a picture, which need not be that
+// of what moves.
 template <class IsMoving>
 bool Desk::any_moves(const Place& place, const IsMoving& is_moving)
 {
-    const Places all = places();
-    return std::any_of(all.begin(), all.end(), [&](const std::shared_ptr<Place>& other) {
+    const std::lock_guard lock(mutex_);
+    return std::any_of(places_.begin(), places_.end(), [&](const std::shared_ptr<Place>& other) {
         return (other.get() != &place || place.session->is_saving()) && is_moving(*other);
     });
 }
@@ -221,31 +222,31 @@ bool Desk::goes_on(const Plan& plan, const Place& place, Clock::time_point start
            !any_moves(place, [](const Place& other) { return other.session->is_hungry(); });
 }
 
+// The plan's picture, in the plan's pose.
+Desk::BegunPicture Desk::begin_or_go_on(const Plan& plan, Place& place)
+{
+    plan.model->pose(plan.arguments);
+    if (place.paused && place.session->is_stale(place.paused->plan))
+        place.paused.reset();
+    if (place.paused && place.paused->plan.task == plan.task && place.paused->plan.serial == plan.serial)
+        return std::move(place.paused);
+    const auto& environment = plan.environment->environment;
+    const draw::Settings& settings = plan.arguments.settings;
+    draw::Renderer& renderer = plan.model->renderer(settings.texel_transfer);
+    return std::make_unique<Begun>(
+        Begun{plan, renderer.start(environment ? &*environment : nullptr, settings)});
+}
+
 void Desk::draw(const Plan& plan, Place& place)
 {
     const Clock::time_point start = Clock::now();
-    // A paused picture of another wish is nobody's; but one that is being saved stays while something moves.
-    if (place.begun && (plan.is_long() || place.begun->plan.task != Task::save) &&
-        (place.begun->plan.task != plan.task || place.begun->plan.serial != plan.serial))
-        place.begun.reset();
-    plan.model->pose(plan.arguments);
-    std::unique_ptr<Begun> begun;
-    if (plan.is_long())
-        begun = std::move(place.begun);
-    if (!begun) {
-        const auto& environment = plan.environment->environment;
-        const draw::Settings& settings = plan.arguments.settings;
-        draw::Renderer& renderer = plan.model->renderer(settings.texel_transfer);
-        begun = std::make_unique<Begun>();
-        begun->plan = plan;
-        begun->drawing = renderer.start(environment ? &*environment : nullptr, settings);
-    }
+    BegunPicture begun = begin_or_go_on(plan, place);
     const bool whole = begun->drawing->advance([&](float) { return goes_on(plan, place, start); });
     begun->milliseconds += ms_since(start);
     if (whole) {
         finish(plan, *place.session, begun->drawing->take(), begun->milliseconds);
     } else {
-        place.begun = std::move(begun);
+        place.paused = std::move(begun);
         place.session->paused(plan);
     }
 }

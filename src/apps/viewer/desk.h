@@ -35,17 +35,18 @@ public:
     static constexpr std::chrono::milliseconds slice{30};
 
 private:
-    /// A long picture that pauses.
+    /// A picture that is being drawn, or pauses.
     struct Begun {
         Plan plan;
         std::unique_ptr<draw::Drawing> drawing;
         double milliseconds = 0.0; ///< that it took so far
     };
+    using BegunPicture = std::unique_ptr<Begun>;
 
     /// All but the session is the drawing thread's.
     struct Place {
         std::shared_ptr<Session> session;
-        std::unique_ptr<Begun> begun;
+        BegunPicture paused;
         double unseen_ms = 0.0;        ///< of tracing, since the last picture of it
         Clock::time_point moved{};     ///< when something that moves was drawn last
         Clock::time_point long_from{}; ///< nothing long is drawn before, if others move
@@ -53,6 +54,7 @@ private:
     using Places = std::vector<std::shared_ptr<Place>>;
 
     Places places();
+    static BegunPicture begin_or_go_on(const Plan& plan, Place& place);
     template <class IsMoving>
     bool any_moves(const Place& place, const IsMoving& is_moving);
     void work();

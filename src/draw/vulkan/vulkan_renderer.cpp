@@ -132,8 +132,10 @@ private:
     {
         const auto same = [&](const std::unique_ptr<Passes>& other) { return other->choice() == choice; };
         const auto found = std::find_if(passes_.begin(), passes_.end(), same);
-        if (found != passes_.end())
-            return **found;
+        if (found != passes_.end()) {
+            std::rotate(found, found + 1, passes_.end());
+            return *passes_.back();
+        }
         if (passes_.size() >= most_passes)
             passes_.erase(passes_.begin());
         return *passes_.emplace_back(std::make_unique<Passes>(cache_, *layout_, choice));
@@ -152,7 +154,7 @@ private:
     std::unique_ptr<vulkan::ShaderLayout> layout_;
     std::optional<SceneOnDevice> prepared_;
     TexelTransfer prepared_transfer_ = TexelTransfer::srgb;
-    std::vector<std::unique_ptr<Passes>> passes_; ///< the oldest first
+    std::vector<std::unique_ptr<Passes>> passes_; ///< those used last come last
     std::optional<TileOnDevice> tile_;
     KeptEnvironment environment_;
 };
