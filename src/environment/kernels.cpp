@@ -21,6 +21,17 @@ CubeView view(const CubeChain& chain)
     return {chain.halfs(), chain.log2_size, chain.levels};
 }
 
+// The nearest half, ties to even, of a number from 0 to 65504. Highway's own conversion cuts off where the processor has
+// none (SSE4 and portable), which makes all light darker by half a step on average.
+Real nearest_half(Real a)
+{
+    const Int odd = hn::And(hn::ShiftRight<13>(bits(a)), integer(1));
+    const Int up = hn::Add(hn::Add(bits(a), integer(0xfff)), odd);
+    const Real normal = from_bits(hn::And(up, integer(~0x1fff)));
+    // Below 2^-14 steps are of one size, that of the floats from 0.5 on.
+    return select(a < 0x1p-14, (a + 0.5) - 0.5, normal);
+}
+
 // Cuts what a half cannot hold and stores the first `count` lanes as texels.
 void store_halfs(vec3 rgb, size_t count, uint16_t* halfs)
 {
@@ -28,7 +39,8 @@ void store_halfs(vec3 rgb, size_t count, uint16_t* halfs)
     alignas(64) float interleaved[3 * max_lanes];
     alignas(64) uint16_t rounded[3 * max_lanes];
     const vec3 cut = clamp(rgb, 0.0, 65504.0);
-    hn::StoreInterleaved3(cut.x.v, cut.y.v, cut.z.v, FloatTag(), interleaved);
+    hn::StoreInterleaved3(nearest_half(cut.x).v, nearest_half(cut.y).v, nearest_half(cut.z).v, FloatTag(),
+                          interleaved);
     for (size_t i = 0; i < 3; ++i) {
         const auto values = hn::Load(FloatTag(), interleaved + i * lane_count);
         hn::Store(hn::DemoteTo(half_tag, values), half_tag,

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "wide/instruction_sets.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -15,6 +16,9 @@ namespace lambent::trace {
 namespace {
 
 constexpr std::size_t packet = 16;
+
+// Meshes into whose space only rays from less far than this, in metres, can be turned are not referred to.
+constexpr double least_reach = 1e9;
 
 RTCGeometry triangles(RTCDevice device, const scene::Mesh& mesh, const glm::mat4& transform)
 {
@@ -41,27 +45,42 @@ glm::vec3 unit(const glm::vec3& v)
     return largest > 0.0f ? glm::normalize(v / largest) : glm::vec3(0.0f);
 }
 
-// Copies sixteen rays, the last ones of a short packet being switched off.
-void load_packet(const Rays& rays, std::size_t first, RTCRayHit16& packet_rays, int* valid)
+// Whether all parts of a vector are at most `most`, which not a number is not.
+bool within(const glm::vec3& v, float most)
 {
-    const std::size_t count = std::min(packet, rays.size() - first);
-    const auto copy = [&](float* to, const std::vector<float>& from) {
-        std::memcpy(to, from.data() + first, count * sizeof(float));
-    };
-    RTCRay16& ray = packet_rays.ray;
-    copy(ray.org_x, rays.origin[0]), copy(ray.org_y, rays.origin[1]), copy(ray.org_z, rays.origin[2]);
-    copy(ray.dir_x, rays.direction[0]), copy(ray.dir_y, rays.direction[1]),
-        copy(ray.dir_z, rays.direction[2]);
-    copy(ray.tnear, rays.near);
-    for (std::size_t i = 0; i < packet; ++i) {
-        valid[i] = i < count ? -1 : 0;
-        ray.tfar[i] = std::numeric_limits<float>::infinity();
-        ray.time[i] = 0.0f;
-        ray.mask[i] = ~0u;
-        ray.flags[i] = 0;
-        packet_rays.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
-        packet_rays.hit.instID[0][i] = RTC_INVALID_GEOMETRY_ID;
+    return std::fabs(v.x) <= most && std::fabs(v.y) <= most && std::fabs(v.z) <= most;
+}
+
+// A ray of one lane of a packet. One that is off ends before it starts, and is a ray all the same: Embree looks at the
+// lanes that are off where it cuts a packet into several or has no packets of sixteen, and by their ends alone there.
+void set_lane(RTCRay16& to, std::size_t lane, const Ray& ray, bool on)
+{
+    to.org_x[lane] = ray.origin.x, to.org_y[lane] = ray.origin.y, to.org_z[lane] = ray.origin.z;
+    to.dir_x[lane] = ray.direction.x, to.dir_y[lane] = ray.direction.y, to.dir_z[lane] = ray.direction.z;
+    to.tnear[lane] = ray.near;
+    to.tfar[lane] = on ? ray.far : -std::numeric_limits<float>::infinity();
+    to.time[lane] = 0.0f;
+    to.mask[lane] = ~0u;
+    to.id[lane] = 0;
+    to.flags[lane] = 0;
+}
+
+// How far from the origin rays may start that Embree can turn into the space of a mesh with this transform; 0 where that
+// is not far beyond the mesh itself, or where the determinant is not well within floats.
+float reach_into(const glm::mat4& transform)
+{
+    const double determinant = std::fabs(glm::determinant(glm::dmat3(transform)));
+    if (!(determinant > 1e-30 && determinant < 1e30))
+        return 0.0f;
+    const glm::dmat3 inverse = glm::inverse(glm::dmat3(transform));
+    double longest = 0.0, away = 0.0;
+    for (int row = 0; row < 3; ++row) {
+        longest = std::max(longest, std::fabs(inverse[0][row]) + std::fabs(inverse[1][row]) +
+                                        std::fabs(inverse[2][row]));
+        away = std::max(away, std::fabs(static_cast<double>(transform[3][row])));
     }
+    const double reach = static_cast<double>(Visibility::furthest) / longest - away;
+    return reach > std::max(least_reach, 10.0 * away) ? static_cast<float>(reach) : 0.0f;
 }
 
 } // namespace
@@ -74,9 +93,17 @@ void Rays::resize(std::size_t count)
             axis.resize(count);
 }
 
+Ray Rays::at(std::size_t index) const
+{
+    return {{origin[0][index], origin[1][index], origin[2][index]},
+            {direction[0][index], direction[1][index], direction[2][index]},
+            near[index]};
+}
+
 Visibility::Visibility(const scene::Scene& scene) : scene_(scene)
 {
-    device_.reset(rtcNewDevice(nullptr));
+    const std::string& limit = wide::instruction_limit();
+    device_.reset(rtcNewDevice(limit.empty() ? nullptr : ("isa=" + limit).c_str()));
     if (!device_)
         throw Error(Failure::no_device, "Embree cannot run on this processor");
     world_.reset(rtcNewScene(device_.get()));
@@ -92,7 +119,8 @@ Visibility::Visibility(const scene::Scene& scene) : scene_(scene)
                     text("Embree cannot build the scene (error ", static_cast<int>(error), ")"));
 }
 
-// A mesh shown once lies in the world itself; one shown several times is built once and referred to.
+// A mesh shown once lies in the world itself; one shown several times is built once and referred to, unless it is shown
+// so small or so far away that Embree could not turn rays into its space.
 void Visibility::add_instance(std::uint32_t index, const std::vector<int>& uses)
 {
     const scene::Instance& instance = scene_.instances[index];
@@ -104,7 +132,9 @@ void Visibility::add_instance(std::uint32_t index, const std::vector<int>& uses)
     RTCGeometry geometry;
     const glm::mat3 linear(instance.transform);
     const float side = glm::determinant(linear) < 0.0f ? -1.0f : 1.0f;
-    if (uses[static_cast<std::size_t>(instance.mesh)] > 1) {
+    const float reach = reach_into(instance.transform);
+    if (uses[static_cast<std::size_t>(instance.mesh)] > 1 && reach > 0.0f) {
+        reach_ = std::min(reach_, reach);
         // The normal comes in the mesh's space.
         normals_.push_back(glm::transpose(glm::inverse(linear)));
         geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE);
@@ -134,9 +164,29 @@ RTCScene Visibility::mesh_scene(int mesh)
     return scene.get();
 }
 
+// Embree ends the program over rays that it does not take.
+bool Visibility::takes(const Ray& ray) const
+{
+    return within(ray.origin, reach_) && within(ray.direction, reach_) && ray.near >= 0.0f &&
+           ray.far >= ray.near;
+}
+
+// Sixteen rays, or those that are left, into a packet.
+void Visibility::load_packet(const Rays& rays, std::size_t first, RTCRayHit16& packet_rays, int* valid) const
+{
+    for (std::size_t lane = 0; lane < packet; ++lane) {
+        const Ray ray = first + lane < rays.size() ? rays.at(first + lane) : Ray();
+        const bool on = first + lane < rays.size() && takes(ray);
+        valid[lane] = on ? -1 : 0;
+        set_lane(packet_rays.ray, lane, on ? ray : Ray(), on);
+        packet_rays.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+        packet_rays.hit.instID[0][lane] = RTC_INVALID_GEOMETRY_ID;
+    }
+}
+
 void Visibility::trace(const Rays& rays, Hit* hits) const
 {
-    alignas(64) RTCRayHit16 rays16;
+    alignas(64) RTCRayHit16 rays16{};
     alignas(64) int valid[packet];
     for (std::size_t first = 0; first < rays.size(); first += packet) {
         load_packet(rays, first, rays16, valid);
@@ -157,9 +207,8 @@ void Visibility::trace(const Rays& rays, Hit* hits) const
 
 Hit Visibility::nearest(const Ray& ray) const
 {
-    for (int axis = 0; axis < 3; ++axis) // not a number is not within, either
-        if (!(std::fabs(ray.origin[axis]) <= furthest && std::fabs(ray.direction[axis]) <= furthest))
-            return {};
+    if (!takes(ray))
+        return {};
     alignas(16) RTCRayHit one{};
     one.ray.org_x = ray.origin.x, one.ray.org_y = ray.origin.y, one.ray.org_z = ray.origin.z;
     one.ray.dir_x = ray.direction.x, one.ray.dir_y = ray.direction.y, one.ray.dir_z = ray.direction.z;

@@ -11,19 +11,20 @@
 
 namespace lambent::trace {
 
+/// One ray, from `near` to `far` in multiples of its direction.
+struct Ray {
+    glm::vec3 origin{0.0f}, direction{0.0f};
+    float near = 0.0f, far = std::numeric_limits<float>::infinity();
+};
+
 /// Rays, sixteen at a time, one array per component. A ray starts at `near`, in multiples of its direction.
 struct Rays {
     /// Makes room for `count` rays, whose components are then undefined.
     void resize(std::size_t count);
     std::size_t size() const { return near.size(); }
+    Ray at(std::size_t index) const;
 
     std::vector<float> origin[3], direction[3], near;
-};
-
-/// One ray, from `near` to `far` in multiples of its direction.
-struct Ray {
-    glm::vec3 origin{0.0f}, direction{0.0f};
-    float near = 0.0f, far = std::numeric_limits<float>::infinity();
 };
 
 /// Where a ray ends. The point is origin + distance * direction; u and v weigh corners 1 and 2 of the triangle.
@@ -46,14 +47,15 @@ public:
     Visibility(const Visibility&) = delete;
     Visibility& operator=(const Visibility&) = delete;
 
-    /// The farthest from the origin that a ray may start, along any axis, and the longest direction. Embree ends the
-    /// program over more.
+    /// The farthest from the origin that a ray may start, along any axis, and the longest direction: Embree ends the
+    /// program over more. Less far where a mesh is shown several times, very small. Rays from beyond, rays that start
+    /// behind their origin and rays with parts that are not numbers meet nothing.
     static constexpr float furthest = 1.0e18f;
 
     /// The nearest hit of each of the first rays.size() rays, into `hits`. Neighbours should be nearly parallel.
     void trace(const Rays& rays, Hit* hits) const;
 
-    /// The nearest hit of one ray, for rays that have no neighbours; none from beyond `furthest`.
+    /// The nearest hit of one ray, for rays that have no neighbours.
     Hit nearest(const Ray& ray) const;
 
 private:
@@ -64,6 +66,8 @@ private:
         glm::vec3 normal, direction;
     };
     Hit hit_of(const Found& found) const;
+    bool takes(const Ray& ray) const;
+    void load_packet(const Rays& rays, std::size_t first, RTCRayHit16& packet_rays, int* valid) const;
     void add_instance(std::uint32_t index, const std::vector<int>& uses);
     RTCScene mesh_scene(int mesh);
 
@@ -71,6 +75,7 @@ private:
     EmbreeDevice device_; ///< outlives its scenes
     EmbreeScene world_;
     std::vector<EmbreeScene> mesh_scenes_; ///< one per mesh that several instances show; else null
+    float reach_ = furthest;               ///< how far rays may start from the origin
     std::vector<glm::mat3> normals_;       ///< per instance: world from Embree's normal, up to its length
 };
 

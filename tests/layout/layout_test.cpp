@@ -18,13 +18,13 @@ namespace fs = std::filesystem;
 const std::map<std::string, std::set<std::string>> allowed = {
     {"base", {}},
     {"equations", {}},
-    {"wide", {"equations"}},
+    {"wide", {"base", "equations"}},
     {"shading", {}},
     {"image", {"base"}},
     {"scene", {"base", "image", "equations"}},
     {"kitchen", {"base", "image", "equations", "scene"}},
     {"view", {"scene"}},
-    {"trace", {"base", "scene"}},
+    {"trace", {"base", "scene", "wide"}},
     {"vulkan", {"base"}},
     {"environment", {"base", "image", "equations", "wide"}},
     {"gpu_layout", {}},
@@ -36,8 +36,8 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"compare", {"base", "image", "equations"}},
     {"api", {"base", "image", "environment", "lambent"}}, // lambent/bake.h
     {"apps",
-     {"base", "equations", "image", "scene", "view", "trace", "environment", "draw", "reference", "display",
-      "compare", "kitchen"}},
+     {"base", "equations", "wide", "image", "scene", "view", "trace", "environment", "draw", "reference",
+      "display", "compare", "kitchen"}},
 };
 
 std::string folder_of(const fs::path& path)

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "wide/instruction_sets.h"
 
 #include <csignal>
 #include <cstdio>
@@ -23,6 +24,7 @@ int run_program(const std::function<void()>& work)
 {
     std::signal(SIGXFSZ, SIG_IGN);
     try {
+        wide::limit_instructions_by_environment();
         work();
         // A full disk or a closed pipe shows only here.
         return std::fflush(stdout) == 0 ? 0 : fail(Failure::cannot_write, "standard output: cannot write");

@@ -1,0 +1,88 @@
+// Pictures, traces and bakes with every instruction set that this processor has: the same but for rounding.
+#include "tests/processors/works.h"
+#include "tests/support/each_instruction_set.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+namespace lambent::processors {
+namespace {
+
+// The blurs of the environment are halfs: where two instruction sets round to different sides, one step of 2^-10.
+constexpr double half_step = 0x1p-10;
+
+class InstructionSets : public ::testing::TestWithParam<std::string> {
+protected:
+    void SetUp() override
+    {
+        if (!test::is_available(GetParam()))
+            GTEST_SKIP() << "this processor has no " << GetParam();
+    }
+
+    // With the oldest one.
+    static const Works& first()
+    {
+        static const Works works = Workshop().all(limited_to(wide::instruction_sets().front()));
+        return works;
+    }
+};
+
+TEST_P(InstructionSets, DrawWhatTheOldestDraws)
+{
+    const Values picture = Workshop().picture(limited_to(GetParam()));
+    const double far = distance(picture, first().picture);
+    std::printf("picture: %.2e apart, %.4f beyond\n", far, share_beyond(picture, first().picture, half_step));
+    EXPECT_LT(far, half_step);
+}
+
+TEST_P(InstructionSets, TraceWhatTheOldestTraces)
+{
+    const Values trace = Workshop().trace(limited_to(GetParam()));
+    const double share = share_beyond(trace, first().trace, 1e-4);
+    std::printf("trace: %.2e apart, %.4f beyond\n", distance(trace, first().trace), share);
+    EXPECT_LT(share, 0.01);
+}
+
+TEST_P(InstructionSets, BakeWhatTheOldestBakes)
+{
+    const Values bake = Workshop().bake(limited_to(GetParam()));
+    const double far = distance(bake, first().bake);
+    std::printf("bake: %.2e apart, %.4f beyond\n", far, share_beyond(bake, first().bake, 1e-5));
+    EXPECT_LT(far, 1e-5);
+}
+
+LAMBENT_EACH_INSTRUCTION_SET(InstructionSets);
+
+// What the program says of its device is what its kernels run on.
+TEST(InstructionLimit, ReachesTheKernels)
+{
+    const std::pair<const char*, const char*> targets[] = {
+        {"sse2", "SCALAR"}, {"sse4.2", "SSE4"}, {"avx", "SSE4"}, {"avx2", "AVX2"}, {"avx512", "AVX3"}};
+    const Workshop shop;
+    int seen = 0;
+    for (const auto& [set, target] : targets) {
+        if (!test::is_available(set))
+            continue;
+        std::vector<std::string> words = shop.words("render", "picture.exr");
+        words.insert(words.end(), {"--stats", "json"});
+        const testing::Outcome outcome = run(limited_to(set), words);
+        EXPECT_NE(outcome.output.find(std::string("\"device\":\"") + target), std::string::npos)
+            << set << ": " << outcome.output << outcome.error;
+        ++seen;
+    }
+    EXPECT_GT(seen, 0);
+}
+
+TEST(InstructionLimit, IsRefusedWhereItIsUnknown)
+{
+    const testing::Outcome outcome = run(limited_to("avx3"), {"--version"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.error,
+              "lambent: error: LAMBENT_ISA: unknown instruction set 'avx3' (sse2, sse4.2, avx, avx2, "
+              "avx512)\n");
+    EXPECT_EQ(outcome.output, "");
+}
+
+} // namespace
+} // namespace lambent::processors
