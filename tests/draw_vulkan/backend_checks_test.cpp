@@ -1,6 +1,7 @@
 // The checks of tests/draw/backend_checks.h on a device: numbers worked out by hand, not the processor's pictures.
 #include "draw/vulkan/vulkan_renderer.h"
 #include "tests/draw/backend_checks.h"
+#include "tests/support/process.h"
 #include "tests/vulkan/compute.h"
 
 #include <gtest/gtest.h>
@@ -18,10 +19,17 @@ protected:
         }
     }
 
+    // The same few shaders for dozens of pictures.
+    static std::string shaders()
+    {
+        static const lambent::testing::Folder folder;
+        return folder.path("");
+    }
+
     static Frame draw(const scene::Scene& scene, const environment::Environment* environment,
                       const Settings& settings)
     {
-        const std::unique_ptr<VulkanRenderer> renderer = make_vulkan_renderer(scene, {true, true, {}});
+        const std::unique_ptr<VulkanRenderer> renderer = make_vulkan_renderer(scene, {true, true, shaders()});
         Frame frame = renderer->draw(environment, settings);
         EXPECT_EQ(renderer->complaints(), std::vector<std::string>());
         return frame;
