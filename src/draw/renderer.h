@@ -17,7 +17,8 @@ class Drawing {
 public:
     virtual ~Drawing() = default;
 
-    /// Asked with the done fraction whether to go on, from any thread, one call at a time.
+    /// Asked with the done fraction whether to go on, from any thread, one call at a time: once for every part that is
+    /// done, also for those that were still being drawn when it said no.
     using GoOn = std::function<bool(float)>;
 
     /// Draws on until the picture is whole, which it returns, or `go_on`, if any, says false; at least a little. The

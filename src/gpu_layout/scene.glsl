@@ -48,11 +48,15 @@ struct MaterialRecord {
 const int wrap_repeat = 0;
 const int wrap_mirrored = 1;
 const int wrap_clamp = 2;
+// Bits of how texels are found.
+const int filter_magnify_nearest = 1;
+const int filter_minify_nearest = 2;
+const int filter_nearest_mipmap = 4;
 const int most_texture_levels = 16;
 
 // Texels as PackedTexture has them: 8-bit codes in one word, half floats in two.
 struct TextureRecord {
     uvec4 place;  // address, low and high word; 1 for half floats; table of codes
-    ivec4 reading; // wrap of u, of v; 1 to magnify without filtering; levels
+    ivec4 reading; // wrap of u, of v; bits of filters; levels
     ivec4 levels[16]; // width, height, first texel
 };

@@ -43,6 +43,8 @@ const int read_one = 0;
 const int read_three = 1;
 const int read_root = 2;
 
+const int most_layers = 16; // of a picture, with the background
+
 struct PictureRecord {
     vec4 across;     // xyz: to the right of the camera, unit length
     vec4 rotation;   // cosine and sine of the environment's turn; ambient brightness; energy compensation, 0 or 1
@@ -65,7 +67,7 @@ struct PictureRecord {
     ivec4 behind;    // kind of background; size of the panorama
     vec4 panorama;   // x: scale
     uvec4 addresses; // of the geometry; of the panorama
-    ivec4 layers[4]; // sixteen times: 4 * column + how it is read; -1: the background
+    ivec4 layers[4]; // most_layers times: 4 * column + how it is read; -1: the background
 };
 
 // A surface of a pixel that is lit at one point.

@@ -1,4 +1,5 @@
-// Textures as they are in the file: bilinear between texels, without mip maps. Pixels average many rays instead.
+// Textures as they are in the file: bilinear between texels, or the nearest one where the sampler magnifies so; without mip
+// maps. Pixels average many rays instead, which is what all minifying filters stand for.
 #pragma once
 
 #include "scene/scene.h"

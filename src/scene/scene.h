@@ -26,7 +26,10 @@ struct Sampler {
     Wrap wrap_v = Wrap::repeat;
     bool magnify_nearest = false; ///< magFilter NEAREST
     bool minify_nearest = false;  ///< minFilter NEAREST or NEAREST_MIPMAP_*
+    bool nearest_mipmap = false;  ///< minFilter *_MIPMAP_NEAREST: one mip map is read, not a blend of two
     bool mipmapped = true;        ///< minFilter with mip maps, or none given
+
+    bool operator==(const Sampler&) const = default;
 };
 
 /// One use of an image by a material.

@@ -45,5 +45,9 @@ Real repeated_mirrored(Real x)
     return min(twice, 2.0 - twice);
 }
 
-// The middle of a coordinate's texel, for samplers that ask for blocks when magnified. Witness: closed form.
+// The one level that a sampler reads which does not blend two: the nearer, of two equally near ones the finer.
+// [Vulkan 1.3, 16.6.7 "Image Level(s) Selection"] Witness: closed form.
+Real nearest_level(Real level) { return -floor(0.5 - level); }
+
+// The middle of a coordinate's texel, for samplers that ask for the nearest one. Witness: closed form.
 Real snapped(Real x, Real size) { return (floor(x * size) + 0.5) / size; }

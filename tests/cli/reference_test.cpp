@@ -131,7 +131,8 @@ TEST(Reference, InterruptedItWritesWhatThereIs)
 {
     const Folder folder;
     const Outcome outcome =
-        run_by("timeout", {"--signal=INT", "--preserve-status", "2"}, traced(folder.path("a.png"), for_ever));
+        run_by("timeout", {"--signal=INT", "--preserve-status", std::to_string(2 * testing::patience)},
+               traced(folder.path("a.png"), for_ever));
     EXPECT_EQ(outcome.code, 0) << outcome.error;
     EXPECT_EQ(outcome.error.rfind("lambent: warning: stopped early", 0), 0u) << outcome.error;
     EXPECT_EQ(folder.names(), std::vector<std::string>{"a.png"});

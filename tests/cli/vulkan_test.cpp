@@ -2,13 +2,17 @@
 #include "tests/cli/lambent.h"
 
 #include "image/image_io.h"
+#include "tests/image/cube_reader.h"
 
 #include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 
 namespace lambent {
 namespace {
@@ -55,6 +59,49 @@ TEST(Vulkan, DrawsWhatTheProcessorDraws)
     EXPECT_LE(different, a.bytes.size() / 100);
 }
 
+test::CubeFile read_cube(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return test::read_ktx2(test::Bytes(std::istreambuf_iterator<char>(file), {}));
+}
+
+// Of a level of all faces, over its mean; and the largest difference over that of the brightest texel.
+struct Apart {
+    double relative_rmse, largest;
+};
+
+Apart apart(const std::array<test::Face, 6>& found, const std::array<test::Face, 6>& wanted)
+{
+    double squares = 0.0, sum = 0.0, count = 0.0, largest = 0.0, brightest = 0.0;
+    for (std::size_t face = 0; face < 6; ++face) {
+        EXPECT_EQ(found[face].size(), wanted[face].size());
+        for (std::size_t i = 0; i < wanted[face].size(); ++i)
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double a = found[face].at(i)[c], b = wanted[face][i][c];
+                squares += (a - b) * (a - b);
+                sum += b, count += 1.0;
+                largest = std::max(largest, std::fabs(a - b));
+                brightest = std::max(brightest, b);
+            }
+    }
+    EXPECT_GT(sum, 0.0);
+    return {std::sqrt(squares / count) / (sum / count), largest / brightest};
+}
+
+// As far as both may be off what they are asked for, which is 0.01; usually they are nearer to each other by far.
+void expect_alike(const test::CubeFile& found, const test::CubeFile& wanted)
+{
+    ASSERT_EQ(found.size, wanted.size);
+    ASSERT_EQ(found.levels.size(), wanted.levels.size());
+    ASSERT_GT(wanted.levels.size(), 3u);
+    EXPECT_EQ(found.metadata.at("lambent.roughness"), wanted.metadata.at("lambent.roughness"));
+    for (std::size_t level = 0; level < wanted.levels.size(); ++level) {
+        const Apart off = apart(found.levels[level], wanted.levels[level]);
+        EXPECT_LE(off.relative_rmse, 5e-3) << "level " << level;
+        EXPECT_LE(off.largest, 0.02) << "level " << level;
+    }
+}
+
 TEST(Vulkan, BakesWhatTheProcessorBakes)
 {
     const Folder folder;
@@ -75,6 +122,7 @@ TEST(Vulkan, BakesWhatTheProcessorBakes)
     ASSERT_EQ(here.code, 0) << here.error;
     EXPECT_EQ(json::parse(here.output)["backend"], "cpu");
     EXPECT_FALSE(json::parse(here.output).contains("device_ms"));
+    expect_alike(read_cube(folder.path("there.ktx2")), read_cube(folder.path("here.ktx2")));
 }
 
 TEST(Vulkan, WithoutADriverItSaysSoAndLeavesNothing)

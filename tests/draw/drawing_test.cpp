@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <stdexcept>
+#include <thread>
+#include <vector>
 
 namespace lambent::draw::testing {
 namespace {
@@ -53,6 +56,26 @@ TEST(Drawing, InPiecesItIsTheSame)
     EXPECT_GT(pieces, 3); // each thread may end its tile
     EXPECT_EQ(last, 1.0f);
     expect_same(drawing->take(), wanted);
+}
+
+// Also those that end while somebody is being told of another, and says no.
+TEST(Drawing, EveryTileIsReportedOnce)
+{
+    const scene::Scene scene = pose_scene(0.0f);
+    const std::unique_ptr<Renderer> renderer = make_cpu_renderer(scene);
+    const std::unique_ptr<Drawing> drawing = renderer->start(nullptr, several_tiles());
+    constexpr int tiles = 5 * 4; // of 32 pixels in 150x100
+    std::vector<float> reports;
+    const auto stop = [&](float done) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(3)); // others end theirs meanwhile
+        reports.push_back(done);
+        return false;
+    };
+    while (!drawing->advance(stop))
+        EXPECT_LT(reports.size(), std::size_t{tiles});
+    ASSERT_EQ(reports.size(), std::size_t{tiles});
+    for (int i = 0; i < tiles; ++i)
+        EXPECT_FLOAT_EQ(reports[static_cast<std::size_t>(i)], static_cast<float>(i + 1) / tiles);
 }
 
 TEST(Drawing, TwoAtOnceDoNotMix)

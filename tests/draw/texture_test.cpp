@@ -99,6 +99,33 @@ TEST(Textures, OddSizesAverageEvenly)
     EXPECT_EQ(last, 85); // a third
 }
 
+// A texel of the next level is the mean of what it covers: of an odd row, parts of three texels.
+TEST(Textures, OddSizesAverageByArea)
+{
+    for (const int size : {3, 5, 7, 9, 15})
+        for (int lit = 0; lit < size; ++lit) {
+            const auto one = [=](int x, int y) {
+                return glm::ivec4(x == lit ? 255 : 0, y == lit ? 255 : 0, 0, 255);
+            };
+            const PackedTexture texture = pack_texture(codes(size, size, one), {}, TexelTransfer::none);
+            const int half = size / 2;
+            ASSERT_EQ(texture.width[1], half);
+            for (int i = 0; i < half; ++i) {
+                // Texel i covers [i, i + 1] size / half texels of the finer level, of which `lit` is [lit, lit + 1].
+                const double wide = static_cast<double>(size) / half;
+                const double part =
+                    std::min((i + 1) * wide, lit + 1.0) - std::max(i * wide, static_cast<double>(lit));
+                const double wanted = 255.0 * std::max(part, 0.0) / wide;
+                const auto code = [&](int x, int y, int channel) {
+                    return texture.bytes[static_cast<std::size_t>(
+                        4 * (texture.start[1] + (y + 1) * (half + 2) + x + 1) + channel)];
+                };
+                EXPECT_NEAR(code(i, half / 2, 0), wanted, 0.51) << size << ' ' << lit << ' ' << i;
+                EXPECT_NEAR(code(half / 2, i, 1), wanted, 0.51) << size << ' ' << lit << ' ' << i;
+            }
+        }
+}
+
 // Seen at a flat angle a texture of stripes along the view keeps them; reading by the longer axis would blur them.
 TEST(Textures, FlatAnglesStaySharpAcross)
 {

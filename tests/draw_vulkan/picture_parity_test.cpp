@@ -3,6 +3,7 @@
 #include "draw/vulkan/vulkan_renderer.h"
 #include "environment/builtin.h"
 #include "scene/builtin.h"
+#include "tests/draw/parity_scene.h"
 #include "tests/draw/pose_scenes.h"
 #include "tests/draw/test_scenes.h"
 #include "tests/support/process.h"
@@ -149,6 +150,22 @@ TEST_F(PictureParity, SplitSumLayersAndLights)
     settings.model = Model::phong;
     settings.mip_level = MipLevel::report;
     expect_parity(scene, settings, "as the report");
+}
+
+TEST_F(PictureParity, EverySlotSamplerAndSideInOneScene)
+{
+    const scene::Scene scene = testing::parity_scene();
+    for (const Model model : {Model::ggx, Model::phong}) {
+        Settings settings = settings_for(scene, model);
+        settings.width = 320;
+        settings.height = 240;
+        settings.samples = 16;
+        scene::Light sun;
+        sun.kind = scene::LightKind::directional;
+        sun.direction = glm::normalize(glm::vec3(-0.4f, -0.7f, -0.6f));
+        settings.lights.push_back(sun);
+        expect_parity(scene, settings, model == Model::ggx ? "painted balls" : "painted balls, phong");
+    }
 }
 
 // Textures of it or not.

@@ -70,6 +70,7 @@ TEST(LobeWeight, ASunIsNotDimmedByTheSkyAroundIt)
     // Where hardly anything is dim there is nothing to correct by, and never by more than a tenth.
     EXPECT_NEAR(mean_of_lobe({vec3(0.01), 0.01}, {vec3(1.0), 1.0}, 2.0).x, 0.505, 1e-12);
     EXPECT_NEAR(mean_of_lobe({vec3(1.0), 1.0}, {vec3(0.0), 0.0}, 2.0).x, 0.55, 1e-12);
+    EXPECT_NEAR(mean_of_lobe({vec3(1.5), 1.5}, {vec3(1.0), 1.0}, 2.0).x, (1.0 + 0.9 * 1.5) / 2.0, 1e-12);
 }
 
 } // namespace

@@ -233,7 +233,7 @@ Outputs shading_texture(Inputs i)
 {
     TexturePoint p = {vec2(i.a, i.b), vec2(0.05 * i.c, 0.02 * i.d), vec2(0.03 * i.e, 0.04 * i.f)};
     TextureFootprint f = texture_footprint(p, vec2(256.0, 128.0), 7.0);
-    return outputs(vec3(f.level, f.ratio, 0.01 * f.longer2), repeated(8.0 * i.g - 4.0) + repeated_mirrored(8.0 * i.h - 4.0) + snapped(i.a, 8.0));
+    return outputs(vec3(f.level, f.ratio, 0.01 * f.longer2), repeated(8.0 * i.g - 4.0) + repeated_mirrored(8.0 * i.h - 4.0) + snapped(i.a, 8.0) + nearest_level(3.0 * i.b));
 }
 
 Outputs probe(int which, Inputs i)

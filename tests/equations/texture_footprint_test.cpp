@@ -72,5 +72,12 @@ TEST(TextureFootprint, CoordinatesRepeatAndMirror)
     EXPECT_NEAR(in_double::snapped(0.99, 8.0), 7.5 / 8.0, 1e-15);
 }
 
+// The nearer of two levels; between them, Vulkan's ceil(level + 0.5) - 1.
+TEST(TextureFootprint, OneLevelIsTheNearest)
+{
+    for (const double level : {0.0, 0.2, 0.49, 0.5, 0.51, 1.0, 1.4, 1.5, 2.7, 9.0})
+        EXPECT_EQ(in_double::nearest_level(level), std::ceil(level + 0.5) - 1.0) << level;
+}
+
 } // namespace
 } // namespace lambent::test

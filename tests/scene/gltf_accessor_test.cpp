@@ -76,6 +76,68 @@ TEST(GltfAccessor, StrideAndOffsetInterleave)
     EXPECT_EQ(mesh.normals, (std::vector<glm::vec3>{{0, 0, 1}, {0, 0, 1}, {0, 0, 1}}));
 }
 
+// Three positions, `stride` bytes apart, in as many bytes as they need and `more`. [glTF 2.0, 3.6.2.4: the last element is
+// not followed by the rest of a stride]
+GltfBuilder positions_apart(std::size_t stride, int more)
+{
+    GltfBuilder builder = triangle();
+    Bytes bytes;
+    for (const float i : {0.0f, 1.0f, 2.0f}) {
+        const Bytes one = bytes_of<float>({10 * i + 1, 10 * i + 2, 10 * i + 3});
+        bytes.insert(bytes.end(), one.begin(), one.end());
+        if (i < 2.0f)
+            bytes.resize(bytes.size() + stride - one.size(), 0xEE);
+    }
+    bytes.resize(bytes.size() + static_cast<std::size_t>(more), 0xEE);
+    const int view = builder.add_view(bytes, stride);
+    builder.document["accessors"][0]["bufferView"] = view;
+    return builder;
+}
+
+TEST(GltfAccessor, EveryStrideIsTakenAsItIs)
+{
+    for (const std::size_t stride : {12, 16, 20, 24, 100, 252})
+        for (const int more : {0, 1}) {
+            const Mesh mesh = load(positions_apart(stride, more)).meshes.at(0);
+            EXPECT_EQ(mesh.positions, (std::vector<glm::vec3>{{1, 2, 3}, {11, 12, 13}, {21, 22, 23}}))
+                << stride;
+        }
+    // A byte too few for the last element.
+    GltfBuilder cut = positions_apart(16, 0);
+    cut.document["bufferViews"].back()["byteLength"] = 43;
+    EXPECT_TRUE(contains(refusal(cut), "3 elements of 12 bytes do not fit in bufferView")) << refusal(cut);
+    for (const std::size_t stride : {4, 8}) {
+        GltfBuilder overlap = positions_apart(12, 0);
+        overlap.document["bufferViews"].back()["byteStride"] = stride;
+        EXPECT_TRUE(contains(refusal(overlap), "elements of 12 bytes overlap")) << stride;
+    }
+}
+
+// So are strides of what is not floats, and of vertices of which only some are read.
+TEST(GltfAccessor, StridesOfBytesAndOfSelectedVertices)
+{
+    const auto bytes = mesh_with("POSITION", [](GltfBuilder& b) {
+        return b.add_accessor({"VEC3", u8, 3, false, 8},
+                              bytes_of<std::uint8_t>({1,  2,  3,  99, 99, 99, 99, 99, 4,  5,  6,  99,
+                                                      99, 99, 99, 99, 7,  8,  9,  99, 99, 99, 99, 99}));
+    });
+    EXPECT_EQ(bytes.positions, (std::vector<glm::vec3>{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}));
+    GltfBuilder builder;
+    std::vector<float> numbers;
+    for (int i = 0; i < 8; ++i)
+        numbers.insert(numbers.end(), {static_cast<float>(i), static_cast<float>(i * i), 0.5f, 99.0f});
+    const int view = builder.add_view(bytes_of(numbers), 16);
+    const int positions = builder.add_to(
+        "accessors", {{"bufferView", view}, {"componentType", f32}, {"count", 8}, {"type", "VEC3"}});
+    builder.add_primitive(
+        {{"attributes", {{"POSITION", positions}}}, {"indices", builder.add_indices({7, 2, 5})}});
+    const Mesh mesh = load(builder).meshes.at(0);
+    ASSERT_EQ(mesh.triangles.size(), 1u);
+    EXPECT_EQ(mesh.positions[mesh.triangles[0].x], glm::vec3(7, 49, 0.5f));
+    EXPECT_EQ(mesh.positions[mesh.triangles[0].y], glm::vec3(2, 4, 0.5f));
+    EXPECT_EQ(mesh.positions[mesh.triangles[0].z], glm::vec3(5, 25, 0.5f));
+}
+
 TEST(GltfAccessor, BytesNeedNotBeAligned)
 {
     GltfBuilder builder;

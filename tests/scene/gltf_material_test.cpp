@@ -123,6 +123,7 @@ TEST(GltfMaterial, SamplersAreTranslated)
     EXPECT_EQ(plain.wrap_v, Wrap::repeat);
     EXPECT_FALSE(plain.magnify_nearest);
     EXPECT_FALSE(plain.minify_nearest);
+    EXPECT_FALSE(plain.nearest_mipmap);
     EXPECT_TRUE(plain.mipmapped);
     const Sampler other =
         sampler({{"wrapS", 33071}, {"wrapT", 33648}, {"magFilter", 9728}, {"minFilter", 9728}});
@@ -133,10 +134,12 @@ TEST(GltfMaterial, SamplersAreTranslated)
     EXPECT_FALSE(other.mipmapped);
     // NEAREST_MIPMAP_NEAREST, LINEAR_MIPMAP_NEAREST, NEAREST_MIPMAP_LINEAR, LINEAR_MIPMAP_LINEAR, LINEAR
     const bool nearest[] = {true, false, true, false, false};
+    const bool nearest_level[] = {true, true, false, false, false};
     const bool mipmapped[] = {true, true, true, true, false};
     const int codes[] = {9984, 9985, 9986, 9987, 9729};
     for (std::size_t i = 0; i < std::size(codes); ++i) {
         EXPECT_EQ(sampler({{"minFilter", codes[i]}}).minify_nearest, nearest[i]) << codes[i];
+        EXPECT_EQ(sampler({{"minFilter", codes[i]}}).nearest_mipmap, nearest_level[i]) << codes[i];
         EXPECT_EQ(sampler({{"minFilter", codes[i]}}).mipmapped, mipmapped[i]) << codes[i];
     }
     EXPECT_FALSE(sampler({{"magFilter", 9729}}).magnify_nearest);

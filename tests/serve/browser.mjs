@@ -15,6 +15,9 @@ function missing(what) {
     process.exit(isRequired ? 1 : 77);
 }
 
+// By how much longer the program may take; sanitizers slow it down.
+const patience = Number(process.env.LAMBENT_PATIENCE ?? 1);
+
 async function startBrowser() {
     let found;
     try {
@@ -49,6 +52,7 @@ const { server, address } = await startServer(program, ['grid', '--port', '0', '
 async function open({ width = 900, height = 400, at = address, ...options }, use) {
     const context = await browser.newContext({ viewport: { width, height }, acceptDownloads: true, ...options });
     const page = await context.newPage(), troubles = [];
+    page.setDefaultTimeout(30000 * patience);
     page.on('console', message => {
         if (['error', 'warning'].includes(message.type())) troubles.push(`console: ${message.text()}`);
     });
@@ -68,7 +72,7 @@ async function open({ width = 900, height = 400, at = address, ...options }, use
 const rest = (page, inputs) => page.waitForFunction(wanted => {
     const { kind, input } = document.getElementById('picture').dataset;
     return kind === 'rest' && Number(input) >= wanted;
-}, inputs, { timeout: 30000 });
+}, inputs, { timeout: 30000 * patience });
 
 // What the page has said so far is shown: nothing is on its way any more.
 async function settled(page) {

@@ -44,7 +44,7 @@ struct Running {
         ServerOptions options;
         options.port = 0;
         options.limits.sessions = 4;
-        options.limits.request_seconds = 2;
+        options.limits.request_seconds = 2 * testing::patience;
         return options;
     }
 
@@ -197,7 +197,7 @@ TEST(Server, HasOnlySoManyPlaces)
         visitors[0]->send({{"do", "orbit"}, {"x", 10}, {"y", 0}, {"id", 1}});
         visitors[0]->wait_for("rest", 1);
     }
-    for (int i = 0; i < 200 && running.server.sessions() > 0; ++i)
+    for (int i = 0; i < 200 * testing::patience && running.server.sessions() > 0; ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
     EXPECT_EQ(running.server.sessions(), 0);
     expect_served(port);
@@ -262,7 +262,7 @@ TEST(Server, AThousandConnectionsAreRefusedAndNobodyElseNotices)
     visitor.send({{"do", "orbit"}, {"x", 3}, {"y", 0}, {"id", ++id}});
     visitor.wait_for("rest", id);
     // The old ones are gone, if not at once.
-    for (int i = 0; i < 100 && !starts_with_status(get(port, "/"), 200); ++i)
+    for (int i = 0; i < 100 * testing::patience && !starts_with_status(get(port, "/"), 200); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
     EXPECT_TRUE(starts_with_status(get(port, "/"), 200));
 }

@@ -1,5 +1,7 @@
 #include "tests/serve/visitor.h"
 
+#include "tests/support/process.h"
+
 #include <boost/asio/connect.hpp>
 #include <boost/asio/read.hpp>
 #include <boost/asio/write.hpp>
@@ -27,7 +29,8 @@ tcp::endpoint at(std::uint16_t port)
 Watchdog::Watchdog(int socket)
     : thread_([this, socket] {
           std::unique_lock lock(mutex_);
-          if (!ended_.wait_for(lock, std::chrono::seconds(30), [this] { return ending_; }))
+          if (!ended_.wait_for(lock, std::chrono::seconds(30 * testing::patience),
+                               [this] { return ending_; }))
               ::shutdown(socket, SHUT_RDWR);
       })
 {

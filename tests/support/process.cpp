@@ -87,7 +87,7 @@ Outcome run_program(const std::string& program, const std::vector<std::string>& 
     int status = 0;
     rusage usage{};
     while (::wait4(child, &status, WNOHANG, &usage) == 0) {
-        if (elapsed() > limit_seconds)
+        if (elapsed() > limit_seconds * patience)
             ::kill(child, SIGKILL);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }

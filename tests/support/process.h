@@ -6,6 +6,9 @@
 
 namespace lambent::testing {
 
+/// By how much longer programs of this build may take than those of an optimised one: every wait of a test is multiplied by it.
+constexpr int patience = LAMBENT_PATIENCE;
+
 struct Outcome {
     int code = -1;          ///< exit code; 128 + n if killed by signal n
     std::string output;     ///< standard output
@@ -14,7 +17,8 @@ struct Outcome {
     double megabytes = 0.0; ///< peak resident memory
 };
 
-/// Runs a program, found through PATH unless it has a slash, with these words. Over `limit_seconds` it is killed.
+/// Runs a program, found through PATH unless it has a slash, with these words. Over `limit_seconds`, times patience,
+/// it is killed.
 Outcome run_program(const std::string& program, const std::vector<std::string>& words,
                     double limit_seconds = 60.0);
 

@@ -77,7 +77,7 @@ Running::~Running()
 
 int Running::wait(double seconds)
 {
-    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+    const auto end = Clock::now() + std::chrono::duration<double>(seconds * patience);
     int status = 0;
     while (waitpid(process_, &status, WNOHANG) == 0) {
         if (Clock::now() > end)
@@ -139,7 +139,7 @@ std::unique_ptr<Desktop> Desktop::open(std::string& why, const std::string& more
                                  text("exec Xvfb -displayfd 3 -screen 0 1280x800x24 ", more, " -fbdir '",
                                       desktop->folder_.path("."), "' 3> '", number, "'")},
         log);
-    for (int i = 0; i < 500 && contents(number).find('\n') == std::string::npos; ++i)
+    for (int i = 0; i < 500 * patience && contents(number).find('\n') == std::string::npos; ++i)
         sleep_ms(20);
     const std::string said = contents(number);
     if (said.find('\n') == std::string::npos) {
@@ -184,9 +184,11 @@ Screenshot Desktop::look(int rows) const
 
 Screenshot Desktop::look_at_rest(double seconds) const
 {
-    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+    const auto end = Clock::now() + std::chrono::duration<double>(seconds * patience);
     Screenshot last = look();
-    for (int quiet = 0; quiet < 4 && Clock::now() < end;) {
+    // Who draws slowly is quiet for long between two pictures.
+    constexpr int enough = patience > 1 ? 16 : 4;
+    for (int quiet = 0; quiet < enough && Clock::now() < end;) {
         sleep_ms(250);
         Screenshot next = look();
         quiet = next.rgb == last.rgb ? quiet + 1 : 0;

@@ -20,7 +20,8 @@ public:
     Running(const Running&) = delete;
     Running& operator=(const Running&) = delete;
 
-    /// Waits until it ends; its exit code, 128 + n if a signal ended it, or -1 if it did not within the time.
+    /// Waits until it ends; its exit code, 128 + n if a signal ended it, or -1 if it did not within the time, which, as
+    /// all waits here, is multiplied by patience.
     int wait(double seconds);
 
     void signal(int number) const;

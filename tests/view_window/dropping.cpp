@@ -1,5 +1,7 @@
 #include "tests/view_window/dropping.h"
 
+#include "tests/support/process.h"
+
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
 
@@ -83,7 +85,7 @@ private:
     bool answer(const char* type, const std::string& list)
     {
         const Atom wanted = atom(type);
-        for (int i = 0; i < 1000; ++i) {
+        for (int i = 0; i < 1000 * patience; ++i) {
             while (XPending(display_) > 0) {
                 XEvent event;
                 XNextEvent(display_, &event);

@@ -93,7 +93,7 @@ void ViewWindow::expect_end()
 Screenshot ViewWindow::look_changed(const Screenshot& before, const Screenshot::Area& area,
                                     double least) const
 {
-    for (int i = 0; i < 100 && !(desktop_->look().difference(before, area) > least); ++i)
+    for (int i = 0; i < 100 * patience && !(desktop_->look().difference(before, area) > least); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(200));
     return look();
 }
@@ -101,7 +101,7 @@ Screenshot ViewWindow::look_changed(const Screenshot& before, const Screenshot::
 std::string ViewWindow::saved(const std::string& name)
 {
     press("s");
-    for (int i = 0; i < 600 && !std::filesystem::exists(path(name)); ++i)
+    for (int i = 0; i < 600 * patience && !std::filesystem::exists(path(name)); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
     return contents(path(name)); // written beside and then renamed: all of it is there
 }

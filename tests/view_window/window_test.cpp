@@ -91,9 +91,9 @@ TEST_F(ViewWindow, SpacePlaysAndStops)
     open({model});
     const Screenshot still = look();
     press("space");
-    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    std::this_thread::sleep_for(std::chrono::milliseconds(700 * patience));
     const Screenshot one = desktop_->look();
-    std::this_thread::sleep_for(std::chrono::milliseconds(400));
+    std::this_thread::sleep_for(std::chrono::milliseconds(400 * patience));
     EXPECT_GT(desktop_->look().difference(one, picture_area), 0.5);
     press("space");
     const Screenshot stopped = look();

@@ -23,7 +23,7 @@ public:
     bool wait(Condition&& condition)
     {
         std::unique_lock lock(mutex);
-        return changed.wait_for(lock, std::chrono::seconds(60), condition);
+        return changed.wait_for(lock, std::chrono::seconds(60 * testing::patience), condition);
     }
 
     std::mutex mutex;

@@ -35,7 +35,7 @@ const std::string model_with_camera =
 template <class Condition>
 bool eventually(Stock& stock, const cli::RenderArguments& arguments, Condition&& condition)
 {
-    for (int i = 0; i < 600; ++i) {
+    for (int i = 0; i < 600 * testing::patience; ++i) {
         if (condition(stock.model(arguments)))
             return true;
         std::this_thread::sleep_for(std::chrono::milliseconds(50));

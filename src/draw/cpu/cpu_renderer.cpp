@@ -48,7 +48,8 @@ private:
     std::vector<char> done_;
 };
 
-// Asks one thread at a time, with the done fraction, whether to go on.
+// Asks one thread at a time, with the done fraction, whether to go on. Of tiles that end after a no, too: the answer no
+// longer matters, but who counts on the fractions gets the last one.
 class Questions {
 public:
     Questions(const Drawing::GoOn& go_on, int done, int all) : go_on_(go_on), done_(done), all_(all) {}
@@ -59,7 +60,7 @@ public:
             return;
         const std::lock_guard lock(mutex_);
         ++done_;
-        if (!stopped_ && !go_on_(static_cast<float>(done_) / static_cast<float>(all_)))
+        if (!go_on_(static_cast<float>(done_) / static_cast<float>(all_)))
             stopped_ = true;
     }
 

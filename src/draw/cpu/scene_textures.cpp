@@ -3,15 +3,6 @@
 #include <tbb/parallel_for.h>
 
 namespace lambent::draw {
-namespace {
-
-bool same(const scene::Sampler& a, const scene::Sampler& b)
-{
-    return a.wrap_u == b.wrap_u && a.wrap_v == b.wrap_v && a.magnify_nearest == b.magnify_nearest &&
-           a.mipmapped == b.mipmapped;
-}
-
-} // namespace
 
 SceneTextures::SceneTextures(const scene::Scene& scene, TexelTransfer transfer) : color_(transfer)
 {
@@ -36,7 +27,7 @@ SceneTextures::SceneTextures(const scene::Scene& scene, TexelTransfer transfer) 
 const PackedTexture* SceneTextures::find(const scene::TextureUse& use, TexelTransfer transfer) const
 {
     for (const Packed& packed : textures_)
-        if (packed.image == use.image && packed.transfer == transfer && same(packed.sampler, use.sampler))
+        if (packed.image == use.image && packed.transfer == transfer && packed.sampler == use.sampler)
             return &packed.texture;
     return nullptr;
 }

@@ -60,12 +60,34 @@ HWY_INLINE void add_bilinear(const PackedTexture& t, TextureRead read, float* su
     add_pair(t, texel + pitch, lower * (1.0f - right), lower * right, sums);
 }
 
-// The reads of all lanes: from (u, v), `reads` places apart by (step_u, step_v), between two levels.
+// The reads of all lanes, between two levels: the places in the finer one and, where they differ, in the coarser.
 struct TextureReads {
-    alignas(64) float u[max_lanes];
-    alignas(64) float v[max_lanes];
+    alignas(64) float u[2][max_lanes];
+    alignas(64) float v[2][max_lanes];
     alignas(64) float level[max_lanes];
+    int coarser = 0; // which of the places
 };
+
+// The size of a level of each lane's own.
+HWY_INLINE vec2 level_size(const PackedTexture& t, Real level)
+{
+    const Int index = truncated(min(level, t.levels - 1));
+    return vec2(to_real(hn::GatherIndex(IntTag(), t.width, index)),
+                to_real(hn::GatherIndex(IntTag(), t.height, index)));
+}
+
+// Places in a level: in the middle of the nearest texel where that is asked for.
+HWY_INLINE vec2 placed(const PackedTexture& t, vec2 uv, Real level, Mask nearest)
+{
+    const vec2 size = level_size(t, level);
+    return vec2(select(nearest, snapped(uv.x, size.x), uv.x), select(nearest, snapped(uv.y, size.y), uv.y));
+}
+
+HWY_INLINE void store_place(const PackedTexture& t, vec2 uv, int which, TextureReads& reads)
+{
+    store(wrapped(uv.x, t.sampler.wrap_u), reads.u[which]);
+    store(wrapped(uv.y, t.sampler.wrap_v), reads.v[which]);
+}
 
 HWY_INLINE void add_reads(const PackedTexture& t, const TextureReads& reads, float weight,
                           float* rgba_per_lane)
@@ -74,34 +96,38 @@ HWY_INLINE void add_reads(const PackedTexture& t, const TextureReads& reads, flo
         float sums[8] = {};
         const int fine = static_cast<int>(reads.level[lane]);
         const float fraction = reads.level[lane] - static_cast<float>(fine);
-        add_bilinear(t, {fine, reads.u[lane], reads.v[lane], weight * (1.0f - fraction)}, sums);
+        const int next = reads.coarser;
+        add_bilinear(t, {fine, reads.u[0][lane], reads.v[0][lane], weight * (1.0f - fraction)}, sums);
         if (fraction > 0.0f)
-            add_bilinear(t, {fine + 1, reads.u[lane], reads.v[lane], weight * fraction}, sums);
+            add_bilinear(t, {fine + 1, reads.u[next][lane], reads.v[next][lane], weight * fraction}, sums);
         for (size_t i = 0; i < 4; ++i)
             rgba_per_lane[4 * lane + i] += sums[i] + sums[i + 4];
     }
 }
 
-// Filtered over the pixel's footprint.
+// Filtered over the pixel's footprint. Samplers that ask for nearest texels get one of each level for each of the reads that
+// the footprint is made of.
 HWY_INLINE Color read_texture(const PackedTexture& t, TexturePoint p)
 {
-    const Real width = t.width[0], height = t.height[0];
-    const TextureFootprint footprint = texture_footprint(p, vec2(width, height), t.levels - 1);
+    const scene::Sampler& sampler = t.sampler;
+    const TextureFootprint footprint = texture_footprint(p, vec2(t.width[0], t.height[0]), t.levels - 1);
     const int reads = t.levels > 1 ? static_cast<int>(ceil(largest_lane(footprint.ratio) - 0.01f)) : 1;
     // A lane that needs fewer reads than its neighbours has them closer together.
     const Real step = 1.0 / Real(reads);
     alignas(64) float rgba[4 * max_lanes] = {};
+    const Real level = sampler.nearest_mipmap ? nearest_level(footprint.level) : footprint.level;
+    const bool any_nearest = sampler.magnify_nearest || sampler.minify_nearest;
+    const Mask nearest = select(footprint.longer2 < 1.0, Real(sampler.magnify_nearest ? 1.0 : 0.0),
+                                Real(sampler.minify_nearest ? 1.0 : 0.0)) > 0.5;
     TextureReads where;
-    store(footprint.level, where.level);
+    where.coarser = any_nearest ? 1 : 0;
+    store(level, where.level);
     for (int i = 0; i < reads; ++i) {
         const Real offset = (Real(i) + 0.5) * step - 0.5;
-        Real u = p.uv.x + offset * footprint.axis.x, v = p.uv.y + offset * footprint.axis.y;
-        if (t.sampler.magnify_nearest) {
-            u = select(footprint.longer2 < 1.0, snapped(u, width), u);
-            v = select(footprint.longer2 < 1.0, snapped(v, height), v);
-        }
-        store(wrapped(u, t.sampler.wrap_u), where.u);
-        store(wrapped(v, t.sampler.wrap_v), where.v);
+        const vec2 uv = p.uv + offset * footprint.axis;
+        store_place(t, any_nearest ? placed(t, uv, level, nearest) : uv, 0, where);
+        if (any_nearest)
+            store_place(t, placed(t, uv, level + 1.0, nearest), 1, where);
         add_reads(t, where, 1.0f / static_cast<float>(reads), rgba);
     }
     Color c{0.0, 0.0, 0.0, 0.0};

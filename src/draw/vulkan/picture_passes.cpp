@@ -2,6 +2,7 @@
 
 #include "draw/cpu/sight.h"
 #include "draw/layer_list.h"
+#include "draw/vulkan/layer_record.h"
 #include "draw/vulkan/raster_map.h"
 
 #include <algorithm>
@@ -12,48 +13,6 @@ namespace {
 
 using namespace gpu_layout;
 using vulkan::Commands, vulkan::Groups;
-
-// A column of the CPU's fragments and where it is on the device.
-struct ColumnPair {
-    Column here;
-    int there;
-};
-
-constexpr ColumnPair columns[] = {{base_r, column_base},
-                                  {specular_r, column_specular},
-                                  {gloss, column_gloss},
-                                  {metalness, column_metalness},
-                                  {shading_x, column_normal},
-                                  {depth, column_depth},
-                                  {occlusion, column_occlusion},
-                                  {irradiance_r, column_irradiance},
-                                  {emitted_r, column_emitted},
-                                  {direct_r, column_direct},
-                                  {ambient_r, column_ambient},
-                                  {reflected_r, column_reflected},
-                                  {middle_level, column_middle_level}};
-
-int layer_code(const LayerSource& source)
-{
-    static_assert(static_cast<int>(Reading::one) == read_one &&
-                  static_cast<int>(Reading::three) == read_three &&
-                  static_cast<int>(Reading::root) == read_root);
-    const auto* const found = std::find_if(std::begin(columns), std::end(columns),
-                                           [&](const ColumnPair& pair) { return pair.here == source.first; });
-    return 4 * found->there + static_cast<int>(source.reading);
-}
-
-void describe_layers(const Settings& settings, PictureRecord& record)
-{
-    if (!settings.layers)
-        return;
-    for (const LayerSource& source : layer_sources(settings.model)) {
-        record.layers[record.samples.z / 4][record.samples.z % 4] = layer_code(source);
-        ++record.samples.z;
-    }
-    record.layers[record.samples.z / 4][record.samples.z % 4] = -1; // the background
-    ++record.samples.z;
-}
 
 void describe_rays(const RayMap& rays, PictureRecord& record)
 {
@@ -108,7 +67,8 @@ PicturePasses::PicturePasses(const DeviceTools& tools, const PreparedPicture& pi
 {
     tools_.tile.place_looks(looks_);
     describe_rays(picture.rays, record_);
-    describe_layers(picture.settings, record_);
+    if (picture.settings.layers)
+        list_layers(layer_sources(picture.settings.model), record_);
     record_.fragments.x = static_cast<int>(tools.tile.shape().capacity);
     record_.surfaces.x = picture.settings.roughness_override.value_or(-1.0f);
     record_.edges = {picture.edges.bend_cosine, picture.edges.shared_cosine, picture.edges.extent, 0.0f};

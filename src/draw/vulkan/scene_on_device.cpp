@@ -84,6 +84,13 @@ int wrap_of(scene::Wrap wrap)
     return wrap == scene::Wrap::clamp_to_edge ? wrap_clamp : wrap_mirrored;
 }
 
+int filters_of(const scene::Sampler& sampler)
+{
+    return (sampler.magnify_nearest ? filter_magnify_nearest : 0) |
+           (sampler.minify_nearest ? filter_minify_nearest : 0) |
+           (sampler.nearest_mipmap ? filter_nearest_mipmap : 0);
+}
+
 constexpr std::array code_tables = {TexelTransfer::none, TexelTransfer::srgb, TexelTransfer::power_2_2};
 
 TextureRecord texture_record(const PackedTexture& texture, VkDeviceAddress address)
@@ -95,7 +102,7 @@ TextureRecord texture_record(const PackedTexture& texture, VkDeviceAddress addre
     record.place = {static_cast<uint>(address), static_cast<uint>(address >> 32),
                     texture.half_floats ? 1u : 0u, static_cast<uint>(table)};
     record.reading = {wrap_of(texture.sampler.wrap_u), wrap_of(texture.sampler.wrap_v),
-                      texture.sampler.magnify_nearest ? 1 : 0, texture.levels};
+                      filters_of(texture.sampler), texture.levels};
     for (int level = 0; level < texture.levels; ++level)
         record.levels[level] = {texture.width[level], texture.height[level], texture.start[level], 0};
     return record;

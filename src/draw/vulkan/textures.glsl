@@ -32,23 +32,30 @@ float wrapped(float x, int wrap)
     return wrap == wrap_clamp ? clamp(x, 0.0, 1.0) : repeated_mirrored(x);
 }
 
+// A place in a level, in the middle of the nearest texel where that is asked for; brought to [0, 1].
+vec2 placed(TextureRecord t, vec2 uv, int level, bool nearest)
+{
+    if (nearest)
+        uv = vec2(snapped(uv.x, float(t.levels[level].x)), snapped(uv.y, float(t.levels[level].y)));
+    return vec2(wrapped(uv.x, t.reading.x), wrapped(uv.y, t.reading.y));
+}
+
 vec4 read_texture(int index, TexturePoint p)
 {
     TextureRecord t = textures[index];
     vec2 size = vec2(t.levels[0].xy);
     TextureFootprint f = texture_footprint(p, size, float(t.reading.w - 1));
     int reads = t.reading.w > 1 ? int(ceil(f.ratio - 0.01)) : 1;
-    int fine = int(f.level);
-    float coarser = f.level - float(fine);
+    float level = (t.reading.z & filter_nearest_mipmap) != 0 ? nearest_level(f.level) : f.level;
+    bool nearest = (t.reading.z & (f.longer2 < 1.0 ? filter_magnify_nearest : filter_minify_nearest)) != 0;
+    int fine = int(level);
+    float coarser = level - float(fine);
     vec4 sum = vec4(0.0);
     for (int i = 0; i < reads; ++i) {
         vec2 uv = p.uv + ((float(i) + 0.5) / float(reads) - 0.5) * f.axis;
-        if (t.reading.z == 1 && f.longer2 < 1.0)
-            uv = vec2(snapped(uv.x, size.x), snapped(uv.y, size.y));
-        uv = vec2(wrapped(uv.x, t.reading.x), wrapped(uv.y, t.reading.y));
-        sum += (1.0 - coarser) * level_at(t, uv, fine);
+        sum += (1.0 - coarser) * level_at(t, placed(t, uv, fine, nearest), fine);
         if (coarser > 0.0)
-            sum += coarser * level_at(t, uv, fine + 1);
+            sum += coarser * level_at(t, placed(t, uv, fine + 1, nearest), fine + 1);
     }
     return sum / float(reads);
 }

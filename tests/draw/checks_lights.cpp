@@ -1,0 +1,98 @@
+// Lamps by the words of KHR_lights_punctual; a sun in blurred backgrounds.
+#include "environment/cube_chain.h"
+#include "environment/lamps.h"
+#include "tests/draw/backend_checks.h"
+#include "tests/draw/test_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace lambent::draw::testing {
+namespace {
+
+using glm::dvec3;
+using std::numbers::pi;
+
+// What a lamp two metres above a matte white floor lights at `x` to its right, in the report's model: lux over pi.
+double seen_at(const Draw& draw, const scene::Light& lamp, double x)
+{
+    scene::Scene scene;
+    add(scene, facing_square(20.0f, 0.0f), matte(glm::vec3(1.0f)));
+    Settings settings = small_settings(3, 3, front_camera(0.03f));
+    settings.camera.position.x = static_cast<float>(x);
+    settings.model = Model::phong;
+    settings.lights = {lamp};
+    return static_cast<double>(pixel(draw(scene, nullptr, settings), 1, 1).g);
+}
+
+} // namespace
+
+// Candela cos / d^2, times a window of the range and the square of the way between the cones' cosines.
+void expect_lamps(const Draw& draw)
+{
+    constexpr double height = 2.0, candela = 40.0, range = 4.0, inner = 0.3, outer = 0.8;
+    scene::Light plain;
+    plain.position = {0.0f, 0.0f, static_cast<float>(height)};
+    plain.intensity = glm::vec3(static_cast<float>(candela));
+    scene::Light ranged = plain, spot = plain;
+    ranged.range = static_cast<float>(range);
+    spot.kind = scene::LightKind::spot;
+    spot.direction = {0.0f, 0.0f, -1.0f};
+    spot.inner_cone = static_cast<float>(inner);
+    spot.outer_cone = static_cast<float>(outer);
+    for (const double x : {0.0, 0.5, 1.2, 1.7, 3.0, 4.5}) {
+        const double d2 = x * x + height * height, cosine = height / std::sqrt(d2);
+        const double free = candela * cosine / d2 / pi;
+        const double window = std::clamp(1.0 - std::pow(d2 / (range * range), 2.0), 0.0, 1.0);
+        const double part =
+            std::clamp((cosine - std::cos(outer)) / (std::cos(inner) - std::cos(outer)), 0.0, 1.0);
+        EXPECT_NEAR(seen_at(draw, plain, x), free, 1e-4 * free) << x;
+        EXPECT_NEAR(seen_at(draw, ranged, x), free * window, 1e-4 * free) << x;
+        EXPECT_NEAR(seen_at(draw, spot, x), free * part * part, 1e-4 * free) << x;
+    }
+}
+
+// A small sun in the dark, blurred: what a camera that looks at it sees, summed over solid angle, is its light, as long as
+// the blur fits into the picture. Blurs by one level alone, by two, and by levels with and without the sun in them.
+void expect_blurs_to_keep_light(const Draw& draw)
+{
+    const dvec3 towards = glm::normalize(dvec3(0.35, 0.2, -1.0));
+    const auto is_sun = [&](dvec3 d) { return glm::dot(d, towards) > std::cos(0.012); };
+    const environment::Environment light =
+        environment_of(512, [&](dvec3 d) { return glm::vec3(is_sun(d) ? 1000.0f : 0.0f); });
+    double wanted = 0.0; // of the texels that it was painted into
+    for (int y = 0; y < 256; ++y)
+        for (int x = 0; x < 512; ++x) {
+            const double phi = ((x + 0.5) / 512 - 0.5) * 2.0 * pi, theta = (y + 0.5) / 512 * 2.0 * pi;
+            const dvec3 d(std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi));
+            wanted += is_sun(d) ? 1000.0 * std::sin(theta) * std::pow(2.0 * pi / 512, 2.0) : 0.0;
+        }
+    ASSERT_GT(wanted, 0.0);
+    scene::Scene nothing;
+    nothing.materials.emplace_back();
+    constexpr int size = 320;
+    Settings settings = small_settings(size, size, Camera{});
+    settings.camera.vertical_fov = 1.6f;
+    settings.camera.back = glm::vec3(-towards);
+    settings.camera.right = glm::normalize(glm::cross(glm::vec3(0, 1, 0), settings.camera.back));
+    settings.camera.up = glm::cross(settings.camera.back, settings.camera.right);
+    settings.background.kind = Background::Kind::blurred;
+    const double v1 = std::pow(static_cast<double>(environment::level_one_deviation(light.chain)), 2.0);
+    for (const double variance : {0.3, 0.8, 1.0, 2.5, 4.0, 9.0}) {
+        settings.background.roughness = static_cast<float>(std::pow(variance * v1, 0.25));
+        const Frame frame = draw(nothing, &light, settings);
+        double seen = 0.0;
+        const double step = 2.0 * std::tan(0.8) / size;
+        for (int y = 0; y < size; ++y)
+            for (int x = 0; x < size; ++x) {
+                const double a = (x + 0.5 - 0.5 * size) * step, b = (y + 0.5 - 0.5 * size) * step;
+                seen += static_cast<double>(pixel(frame, x, y).g) * step * step /
+                        std::pow(1.0 + a * a + b * b, 1.5);
+            }
+        EXPECT_NEAR(seen / wanted, 1.0, 0.04)
+            << variance << " of level 1's variance, lamps to level " << light.lamps.last_level;
+    }
+}
+
+} // namespace lambent::draw::testing
