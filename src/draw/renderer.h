@@ -44,9 +44,9 @@ public:
     Frame draw(const environment::Environment* environment, const Settings& settings,
                const std::function<void(float)>& progress = {});
 
-    /// From now on draws the same scene at another moment: with as many instances, meshes and materials, of which the
-    /// materials are the same; its images are not looked at, those of the first scene stay. `scene` must outlive further
-    /// drawing, as the first must. The work is done by the next draw.
+    /// From now on draws the same scene at another moment: with as many instances and materials, of which the materials are
+    /// the same; its images are not looked at, those of the first scene stay. `scene` must outlive further drawing, as the
+    /// first must. The work is done by the next draw.
     virtual void pose(const scene::Scene& scene) = 0;
 
     /// Name of the backend and of what it runs on, for people: {"cpu", "AVX2, 2 threads"}.

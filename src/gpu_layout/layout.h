@@ -20,7 +20,7 @@ using uint = std::uint32_t;
 static_assert(sizeof(LightRecord) == 64 && offsetof(LightRecord, outer) == 48);
 static_assert(sizeof(SampleRecord) == 32 && offsetof(SampleRecord, lobe) == 16);
 static_assert(sizeof(LampRecord) == 32 && offsetof(LampRecord, light) == 16);
-static_assert(sizeof(InstanceRecord) == 112 && offsetof(InstanceRecord, ids) == 96);
+static_assert(sizeof(InstanceRecord) == 128 && offsetof(InstanceRecord, sets) == 112);
 static_assert(sizeof(MeshRecord) == 32 && sizeof(UseRecord) == 48);
 static_assert(sizeof(MaterialRecord) == 352 && offsetof(MaterialRecord, uses) == 112);
 static_assert(sizeof(TextureRecord) == 288 && offsetof(TextureRecord, levels) == 32);

@@ -9,19 +9,20 @@ struct InstanceRecord {
     vec4 normal_x; // world from mesh for normals, rows
     vec4 normal_y;
     vec4 normal_z; // w: -1 where the transform mirrors, else 1
-    uvec4 ids;     // mesh, material
+    uvec4 ids;     // mesh, material, texture coordinates of the material's last use
+    uvec4 sets;    // texture coordinates of the four before it: 2 words a vertex
 };
 
 struct MeshRecord {
     uvec4 vectors; // positions, normals: 3 words a vertex; tangents, colours: 4
-    uvec4 others;  // two sets of texture coordinates: 2 words a vertex; triangles: 3 each
+    uvec4 others;  // triangles: 3 words each
 };
 
 // One use of a texture.
 struct UseRecord {
     vec4 row_u; // applied to (u, v, 1)
     vec4 row_v;
-    ivec4 ids; // texture, -1: none; set of coordinates
+    ivec4 ids; // texture, -1: none
 };
 
 const int use_base_color = 0;

@@ -45,7 +45,8 @@ public:
     Sight follow(const SightRay& sight);
 
 private:
-    trace::Hit find(trace::Ray ray);
+    trace::Hit nearest(trace::Ray ray, int bounce) const;
+    trace::Hit find(trace::Ray ray, int bounce);
     double passing(trace::Ray ray) const;
     struct Candidate;
     Candidate candidate(const Surface& surface, const Reflection& reflection, const glm::dvec2& u) const;
@@ -69,11 +70,22 @@ private:
     glm::dvec3 last_{0.0};       ///< the point before
 };
 
+trace::Hit Path::nearest(trace::Ray ray, int bounce) const
+{
+    const trace::Hit hit = world_.visibility->nearest(ray);
+    if (bounce > 0 || !world_.lines)
+        return hit;
+    if (hit.found())
+        ray.far = hit.distance;
+    const trace::Hit line = world_.lines->nearest(ray);
+    return line.found() ? line : hit;
+}
+
 // The first surface that is there for this ray: not a culled back, and not the part that alpha lets through.
-trace::Hit Path::find(trace::Ray ray)
+trace::Hit Path::find(trace::Ray ray, int bounce)
 {
     for (int layer = 0; layer < most_layers; ++layer) {
-        const trace::Hit hit = world_.visibility->nearest(ray);
+        const trace::Hit hit = nearest(ray, bounce);
         if (!hit.found())
             return hit;
         if (!world_.surfaces->is_culled(hit)) {
@@ -288,7 +300,7 @@ Sight Path::follow(const SightRay& sight)
     for (int bounce = 0;; ++bounce) {
         // Without shadows nothing is in the way of what was drawn.
         const bool open = bounce > 0 && world_.bounces == 0;
-        const trace::Hit hit = open ? trace::Hit() : find(ray);
+        const trace::Hit hit = open ? trace::Hit() : find(ray, bounce);
         if (!hit.found()) {
             if (bounce == 0)
                 seen.radiance = background(direction);

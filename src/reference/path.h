@@ -21,6 +21,7 @@ enum class Strategy { both, lights_only, reflections_only };
 /// What all paths of a picture share.
 struct World {
     const trace::Visibility* visibility = nullptr;
+    const trace::Visibility* lines = nullptr; ///< seen by the camera alone; null: none
     const Surfaces* surfaces = nullptr;
     const EnvironmentLight* environment = nullptr; ///< null: darkness
     const Emitters* emitters = nullptr;            ///< null: none

@@ -46,16 +46,19 @@ struct Surfaces::Corners {
 };
 
 Surfaces::Surfaces(const scene::Scene& scene, view::Model model, view::TexelTransfer transfer,
-                   std::optional<float> roughness)
+                   std::optional<float> roughness, const scene::Scene* lines)
     : scene_(scene), model_(model), transfer_(transfer), roughness_(roughness)
 {
-    for (const scene::Instance& instance : scene.instances) {
-        const scene::Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+    for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+        const bool is_line = has_lines(scene.meshes[static_cast<std::size_t>(scene.instances[i].mesh)]);
+        const scene::Scene& from = is_line && lines ? *lines : scene;
+        const scene::Instance& instance = from.instances[i];
+        const scene::Mesh& mesh = from.meshes[static_cast<std::size_t>(instance.mesh)];
         const int material = instance.material >= 0 ? instance.material : mesh.material;
         const glm::dmat3 linear(instance.transform);
         placed_.push_back({&mesh, &scene.materials[static_cast<std::size_t>(material)], instance.transform,
-                           glm::transpose(glm::inverse(linear)),
-                           glm::determinant(linear) < 0.0 ? -1.0 : 1.0});
+                           glm::transpose(glm::inverse(linear)), glm::determinant(linear) < 0.0 ? -1.0 : 1.0,
+                           is_line});
     }
 }
 
@@ -159,6 +162,8 @@ Surface Surfaces::at(const trace::Hit& hit, const glm::dvec3& direction) const
     const in_double::vec3 facing = in_double::facing_normal(
         {normal.x, normal.y, normal.z}, {surface.view.x, surface.view.y, surface.view.z}, least_view_cosine);
     surface.normal = {facing.x, facing.y, facing.z};
+    if (placed.is_line)
+        surface.geometric = surface.normal;
     fill_material(placed, corners, surface);
     return surface;
 }

@@ -14,9 +14,10 @@ namespace lambent::reference {
 /// A scene with the few numbers per instance that every hit needs. The scene must outlive it.
 class Surfaces {
 public:
-    /// `roughness`: perceptual, of every surface, instead of its own.
+    /// `roughness`: perceptual, of every surface, instead of its own. `lines`: the scene's points and lines as triangles, in
+    /// the instances that show some; none: they are not there. It must outlive this, too.
     Surfaces(const scene::Scene& scene, view::Model model, view::TexelTransfer transfer,
-             std::optional<float> roughness = std::nullopt);
+             std::optional<float> roughness = std::nullopt, const scene::Scene* lines = nullptr);
 
     /// The point that a ray of unit direction has met.
     Surface at(const trace::Hit& hit, const glm::dvec3& direction) const;
@@ -34,6 +35,7 @@ private:
         glm::mat4 transform;
         glm::dmat3 normals; ///< world from mesh, for normals
         double handedness;  ///< -1: mirrored
+        bool is_line;       ///< which has no side but its normal's
     };
     struct Corners; ///< a triangle and the weights of its corners
     glm::dvec4 read(const scene::TextureUse& use, view::TexelTransfer transfer, const Corners& c) const;

@@ -3,6 +3,7 @@
 #include "reference/budget.h"
 #include "reference/film.h"
 #include "trace/visibility.h"
+#include "view/widened_scene.h"
 
 #include <tbb/parallel_for.h>
 
@@ -183,14 +184,28 @@ bool Tracer::advance(const GoOn& go_on, Least least)
     return reached_limit() && has_picture();
 }
 
+// The points and lines of the picture. A panorama has none: it has no pixels that are as wide as others.
+std::optional<view::WidenedScene> lines_of(const scene::Scene& scene, const Settings& settings)
+{
+    if (!scene::has_lines(scene) || settings.panorama_from)
+        return std::nullopt;
+    view::WidenedScene lines(scene, view::WidenedScene::Others::left_out);
+    lines.face(settings);
+    return lines;
+}
+
 } // namespace
 
 // What outlives the constructor: the tracer refers to all of it.
 struct Tracing::Parts {
     Parts(const scene::Scene& scene, const image::RadianceImage* panorama, const Settings& asked)
-        : settings(asked), visibility(scene),
-          surfaces(scene, asked.model, asked.texel_transfer, asked.roughness_override), emitters(scene)
+        : settings(asked), visibility(scene), lines(lines_of(scene, asked)),
+          surfaces(scene, asked.model, asked.texel_transfer, asked.roughness_override,
+                   lines ? &lines->scene() : nullptr),
+          emitters(scene)
     {
+        if (lines)
+            world.lines = &seen_lines.emplace(lines->scene());
         if (panorama)
             environment.emplace(*panorama, settings.environment_rotation);
         world.visibility = &visibility;
@@ -209,6 +224,8 @@ struct Tracing::Parts {
 
     const Settings settings;
     const lambent::trace::Visibility visibility;
+    const std::optional<view::WidenedScene> lines;
+    std::optional<lambent::trace::Visibility> seen_lines;
     const Surfaces surfaces;
     std::optional<EnvironmentLight> environment;
     const Emitters emitters;

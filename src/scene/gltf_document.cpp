@@ -15,9 +15,10 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::string_view, 5> supported = {"KHR_lights_punctual", "KHR_texture_transform",
-                                                       "KHR_materials_emissive_strength",
-                                                       "KHR_materials_unlit", "KHR_mesh_quantization"};
+constexpr std::array<std::string_view, 7> supported = {
+    "KHR_lights_punctual", "KHR_texture_transform", "KHR_materials_emissive_strength",
+    "KHR_materials_unlit", "KHR_mesh_quantization", "EXT_mesh_gpu_instancing",
+    "KHR_node_visibility"};
 
 // No outside file of a scene is larger than this.
 constexpr std::uint64_t largest_file = std::uint64_t{1} << 33;

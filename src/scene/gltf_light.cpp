@@ -134,7 +134,7 @@ std::vector<Light> read_lights(const Document& document, const NodeTree& nodes, 
     std::vector<Light> lights;
     for (const int node : nodes.drawn) {
         const int index = light_of(document.model.nodes[at(node)]);
-        if (index < 0)
+        if (index < 0 || nodes.hidden[at(node)])
             continue;
         Light light = read_light(document, index);
         const glm::dmat4& world = nodes.world[at(node)];

@@ -171,10 +171,6 @@ TextureUse MaterialReader::read_texture(const Info& info, const char* slot)
     }
     if (at(texture.source) >= document_.images.size())
         document_.fail("texture ", info.index, ": image ", texture.source, " does not exist");
-    if (use.texcoord > 1) {
-        warn(slot, ": only texture coordinates 0 and 1 are read, not ", use.texcoord, ": left out");
-        return {};
-    }
     use.image = scene_image(texture.source);
     return use;
 }
@@ -245,6 +241,21 @@ int MaterialTable::index_of(int material) const
     return material < 0 ? scene_index.back() : scene_index[at(material)];
 }
 
+int MaterialTable::line_index_of(int material, bool unlit)
+{
+    const int index = index_of(material);
+    Material copy = materials[at(index)];
+    if (copy.double_sided && (copy.unlit || !unlit))
+        return index;
+    const auto [found, is_new] = line_copies_.try_emplace({index, unlit}, static_cast<int>(materials.size()));
+    if (is_new) {
+        copy.double_sided = true;
+        copy.unlit = copy.unlit || unlit;
+        materials.push_back(std::move(copy));
+    }
+    return found->second;
+}
+
 MaterialTable read_materials(const Document& document, std::span<const int> used, Warnings& warnings)
 {
     MaterialTable table;
@@ -272,7 +283,7 @@ TextureNeeds texture_needs(const Material& material)
          {&material.base_color_texture, &material.metallic_roughness_texture, &material.normal_texture,
           &material.occlusion_texture, &material.emissive_texture})
         if (use->image >= 0)
-            needs.texcoord[use->texcoord] = true;
+            needs.texcoords.insert(use->texcoord);
     if (material.normal_texture.image >= 0) {
         needs.normal_map_set = material.normal_texture.texcoord;
         needs.normal_map_transform = material.normal_texture.transform;

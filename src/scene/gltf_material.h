@@ -4,7 +4,9 @@
 #include "scene/gltf_document.h"
 #include "scene/gltf_primitive.h"
 
+#include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace lambent::scene {
@@ -16,6 +18,13 @@ struct MaterialTable {
 
     /// Index into `materials` for a primitive's material (-1: the default one).
     int index_of(int material) const;
+
+    /// The same for points and lines, seen from all sides and, without normals, `unlit`: the material itself or a copy that
+    /// is added.
+    int line_index_of(int material, bool unlit);
+
+private:
+    std::map<std::pair<int, bool>, int> line_copies_; ///< by index, and whether it is unlit
 };
 
 /// Reads the listed materials (-1 is the default). Factors outside their range are clamped, with a warning.

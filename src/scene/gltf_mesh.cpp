@@ -1,10 +1,13 @@
 #include "scene/gltf_mesh.h"
 
 #include "scene/gltf_deform.h"
+#include "scene/gltf_instancing.h"
+#include "scene/gltf_mesh_table.h"
 #include "scene/gltf_primitive.h"
 #include "scene/parallel.h"
 #include "scene/transform.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -17,6 +20,11 @@ namespace {
 constexpr std::uint64_t free_elements = 2'000'000;
 constexpr std::uint64_t elements_per_byte = 16;
 constexpr std::size_t most_instances = 1'000'000;
+// Of nodes' own instances: each of them takes a few hundred bytes once it is drawn, and at least four in a file, but for
+// accessors that are all zeros.
+constexpr std::size_t free_node_instances = 100'000;
+constexpr std::uint64_t bytes_per_node_instance = 4;
+constexpr std::size_t most_node_instances = 4'000'000;
 
 std::size_t at(int index)
 {
@@ -31,21 +39,26 @@ struct Plan {
     struct Use {
         int node;
         std::size_t request;
+        int instance = -1; // of the node's own; -1: it has none
     };
     std::vector<Use> uses;
+    std::map<int, NodeInstances> instances;      // by node
     std::vector<PrimitiveResult> results;        // of each request, once read
     std::map<int, std::vector<glm::mat4>> skins; // requests point into these
-    std::size_t not_triangles = 0;               // primitives left out
+    std::size_t without_positions = 0;           // primitives left out
 };
 
 class Planner {
 public:
-    Planner(const Document& document, const NodeTree& nodes) : document_(document), nodes_(nodes) {}
+    Planner(const Document& document, const NodeTree& nodes, Warnings& warnings)
+        : document_(document), nodes_(nodes), warnings_(warnings)
+    {
+    }
 
     Plan make()
     {
         for (const int node : nodes_.drawn)
-            if (document_.model.nodes[at(node)].mesh >= 0)
+            if (document_.model.nodes[at(node)].mesh >= 0 && !nodes_.hidden[at(node)])
                 add_node(node);
         return std::move(plan_);
     }
@@ -73,10 +86,35 @@ private:
             if (!alone)
                 shared_[source.mesh] = range;
         }
-        if (plan_.uses.size() + (range.end - range.begin) > most_instances)
+        if (!add_instances(node, range))
+            add_once(node, range);
+    }
+
+    void add_once(int node, const Range& range)
+    {
+        once_ += range.end - range.begin;
+        if (once_ > most_instances)
             document_.fail("more than ", most_instances, " instances");
         for (std::size_t request = range.begin; request < range.end; ++request)
             plan_.uses.push_back({node, request});
+    }
+
+    // Whether the node says itself where its mesh is shown.
+    bool add_instances(int node, const Range& range)
+    {
+        const std::size_t primitives = std::max<std::size_t>(range.end - range.begin, 1);
+        const auto most = std::min<std::uint64_t>(
+            most_node_instances, free_node_instances + document_.buffer_bytes() / bytes_per_node_instance);
+        auto instances = read_instances(
+            document_, node, (static_cast<std::size_t>(most) - instanced_) / primitives, warnings_);
+        if (!instances)
+            return false;
+        instanced_ += instances->count * primitives;
+        for (std::size_t i = 0; i < instances->count; ++i)
+            for (std::size_t request = range.begin; request < range.end; ++request)
+                plan_.uses.push_back({node, request, static_cast<int>(i)});
+        plan_.instances.emplace(node, *std::move(instances));
+        return true;
     }
 
     Range add_requests(const tinygltf::Node& node, const NodePose* morphing)
@@ -91,7 +129,7 @@ private:
         for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
             request.primitive = static_cast<int>(i);
             if (!is_drawable(document_, request.mesh, request.primitive)) {
-                ++plan_.not_triangles;
+                ++plan_.without_positions;
                 continue;
             }
             plan_.requests.push_back(request);
@@ -111,8 +149,10 @@ private:
 
     const Document& document_;
     const NodeTree& nodes_;
+    Warnings& warnings_;
     Plan plan_;
-    std::map<int, Range> shared_; // by mesh
+    std::size_t once_ = 0, instanced_ = 0; // uses by nodes, and by their own instances
+    std::map<int, Range> shared_;          // by mesh
 };
 
 bool is_known(const ShapeStore& shapes, std::size_t request)
@@ -135,15 +175,15 @@ void check_work(const Document& document, const Plan& plan, const ShapeStore& sh
     }
 }
 
-void warn(const Document& document, const PrimitiveNotes& notes, std::size_t not_triangles,
+void warn(const Document& document, const PrimitiveNotes& notes, std::size_t without_positions,
           Warnings& warnings)
 {
     const auto warn_if = [&](std::size_t count, const char* what) {
         if (count != 0)
             warnings.push_back(text(document.file, ": ", count, what));
     };
-    warn_if(not_triangles, " primitives are points, lines or without positions: left out");
-    warn_if(notes.left_over_indices, " indices after the last whole triangle left out");
+    warn_if(without_positions, " primitives without positions left out");
+    warn_if(notes.left_over_indices, " indices after the last whole triangle or line left out");
     warn_if(notes.left_out_displacements, " morph targets of texture coordinates or colours left out");
     warn_if(notes.rebuilt_normals, " normals of no length rebuilt from the faces");
     warn_if(notes.rebuilt_tangents, " tangents of no use replaced");
@@ -154,7 +194,7 @@ void warn(const Document& document, const PrimitiveNotes& notes, std::size_t not
 }
 
 // Squares of distances must fit a float with room to spare; nobody draws the Milky Way in metres.
-void check_reach(const Document& document, const glm::dmat4& transform, float reach, int node)
+bool is_within_reach(const glm::dmat4& transform, float reach)
 {
     constexpr double farthest = 1e18;
     for (int axis = 0; axis < 3; ++axis) {
@@ -162,8 +202,9 @@ void check_reach(const Document& document, const glm::dmat4& transform, float re
         for (int column = 0; column < 3; ++column)
             most += std::abs(transform[column][axis]) * static_cast<double>(reach);
         if (!(most <= farthest))
-            document.fail("node ", node, ": its vertices are more than ", farthest, " m away");
+            return false;
     }
+    return true;
 }
 
 void read_results(const Document& document, const ShapeStore& shapes, Plan& plan)
@@ -193,39 +234,55 @@ void hide(const std::vector<std::size_t>& hidden, DrawnMeshes& drawn)
     drawn.meshes.emplace_back();
 }
 
-// Instances of the results that have triangles; those results become meshes, in order.
+// World from mesh. A skinned mesh is in the world by its joints, whatever its node; its instances move it from there.
+glm::dmat4 transform_of(const NodeTree& nodes, const Plan& plan, const Plan::Use& use)
+{
+    const glm::dmat4 node = plan.results[use.request].in_world ? glm::dmat4(1.0) : nodes.world[at(use.node)];
+    return use.instance < 0 ? node : node * plan.instances.at(use.node).transform(at(use.instance));
+}
+
+// Whether an instance can be drawn. Throws Error(bad_input) for a node that is too far away.
+bool is_drawn(const Document& document, const Plan& plan, const Plan::Use& use, const glm::dmat4& transform)
+{
+    if (!is_invertible(transform))
+        return false;
+    const bool near = is_within_reach(transform, plan.results[use.request].reach);
+    if (!near && use.instance < 0)
+        document.fail("node ", use.node, ": its vertices are more than 1e+18 m away");
+    return near;
+}
+
 void assemble(const Document& document, const NodeTree& nodes, Plan& plan, DrawnMeshes& drawn,
               Warnings& warnings)
 {
-    std::vector<int> mesh_of(plan.results.size(), -1);
+    MeshTable table(plan.results, plan.materials, drawn);
     const bool moves = !nodes.pose.empty();
-    std::size_t singular = 0;
+    std::size_t singular = 0, useless = 0;
     std::vector<std::size_t> hidden;
     for (const Plan::Use& use : plan.uses) {
-        PrimitiveResult& result = plan.results[use.request];
-        const glm::dmat4 transform = result.in_world ? glm::dmat4(1.0) : nodes.world[at(use.node)];
-        const bool flat = !is_invertible(transform);
-        singular += flat ? 1 : 0;
+        const glm::dmat4 transform = transform_of(nodes, plan, use);
+        const bool flat = !is_drawn(document, plan, use, transform);
+        if (flat)
+            ++(use.instance < 0 ? singular : useless);
         if (flat && !moves)
             continue;
-        if (!flat)
-            check_reach(document, transform, result.reach, use.node);
-        if (mesh_of[use.request] < 0) {
-            if (result.mesh.triangles.empty())
-                continue;
-            mesh_of[use.request] = static_cast<int>(drawn.meshes.size());
-            result.mesh.material = drawn.materials.index_of(plan.materials[use.request]);
-            drawn.meshes.push_back(std::move(result.mesh));
-        }
+        const int mesh = table.use(use.request);
+        if (mesh < 0)
+            continue;
         if (flat)
             hidden.push_back(drawn.instances.size());
-        drawn.instances.push_back({mesh_of[use.request], -1, glm::mat4(transform)});
+        drawn.instances.push_back({mesh, -1, glm::mat4(transform)});
     }
     if (moves)
         hide(hidden, drawn);
-    if (singular != 0)
-        warnings.push_back(
-            text(document.file, ": ", singular, " instances flattened by a singular transform: left out"));
+    const auto warn_if = [&](std::size_t count, const auto&... what) {
+        if (count != 0)
+            warnings.push_back(text(document.file, ": ", count, what...));
+    };
+    warn_if(singular, " instances flattened by a singular transform: left out");
+    warn_if(useless, " of the nodes' own instances are flat, not finite or out of reach: left out");
+    warn_if(table.left_out(), " instances of points and lines, which are more than ", most_repeated_lines,
+            " in all: left out");
 }
 
 } // namespace
@@ -233,19 +290,18 @@ void assemble(const Document& document, const NodeTree& nodes, Plan& plan, Drawn
 DrawnMeshes read_meshes(const Document& document, const NodeTree& nodes, const ShapeStore& shapes,
                         Warnings& warnings)
 {
-    Plan plan = Planner(document, nodes).make();
-    check_work(document, plan, shapes);
+    Plan plan = Planner(document, nodes, warnings).make();
     DrawnMeshes drawn;
     drawn.materials = read_materials(document, plan.materials, warnings);
     for (std::size_t i = 0; i < plan.requests.size(); ++i)
         plan.requests[i].needs =
             texture_needs(drawn.materials.materials[at(drawn.materials.index_of(plan.materials[i]))]);
-
+    check_work(document, plan, shapes);
     read_results(document, shapes, plan);
     PrimitiveNotes notes;
     for (const PrimitiveResult& result : plan.results)
         notes += result.notes;
-    warn(document, notes, plan.not_triangles, warnings);
+    warn(document, notes, plan.without_positions, warnings);
     assemble(document, nodes, plan, drawn, warnings);
     return drawn;
 }

@@ -85,6 +85,14 @@ LocalTransform local_transform(const Document& document, std::size_t index, cons
     return local;
 }
 
+// Cameras are there all the same. [KHR_node_visibility]
+bool hides(const tinygltf::Node& node)
+{
+    const auto extension = node.extensions.find("KHR_node_visibility");
+    return extension != node.extensions.end() && extension->second.Has("visible") &&
+           !extension->second.Get("visible").Get<bool>();
+}
+
 bool fits_floats(const glm::dmat4& matrix)
 {
     constexpr double most = std::numeric_limits<float>::max();
@@ -169,6 +177,7 @@ NodeTree build_node_tree(const Document& document, Pose pose, Warnings& warnings
 
     NodeTree tree;
     tree.world.resize(parents.size());
+    tree.hidden.resize(parents.size());
     const NodePose at_rest;
     std::size_t odd_rotations = 0;
     for (const int node : order) {
@@ -178,6 +187,8 @@ NodeTree build_node_tree(const Document& document, Pose pose, Warnings& warnings
         odd_rotations += local.rotation_was_unit ? 0 : 1;
         const int parent = parents[at(node)];
         tree.world[at(node)] = parent == no_parent ? local.matrix : tree.world[at(parent)] * local.matrix;
+        tree.hidden[at(node)] =
+            hides(document.model.nodes[at(node)]) || (parent != no_parent && tree.hidden[at(parent)]);
         if (!fits_floats(tree.world[at(node)]))
             document.fail("node ", node, ": its transform in the world is not finite");
     }

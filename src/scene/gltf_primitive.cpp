@@ -2,6 +2,7 @@
 
 #include "scene/gltf_accessor.h"
 #include "scene/gltf_deform.h"
+#include "scene/gltf_topology.h"
 #include "scene/normals.h"
 #include "scene/tangents.h"
 
@@ -10,8 +11,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <optional>
+#include <utility>
 
 namespace lambent::scene {
 namespace {
@@ -70,47 +71,16 @@ std::vector<std::uint32_t> corner_list(const Document& document, const Primitive
     return corners;
 }
 
-// Strips and fans by the formulas of the specification; what they repeat to turn a corner is left out.
-// [glTF 2.0, 3.7.2.1]
-std::vector<glm::uvec3> triangles_of(const std::vector<std::uint32_t>& corners, int mode)
+// The sets that the material asks for, and the two that every program reads.
+std::set<int> texcoord_sets(const TextureNeeds& needs)
 {
-    std::vector<glm::uvec3> triangles;
-    if (mode == TINYGLTF_MODE_TRIANGLES) {
-        triangles.resize(corners.size() / 3);
-        if (!triangles.empty())
-            std::memcpy(triangles.data(), corners.data(), triangles.size() * sizeof(glm::uvec3));
-        return triangles;
-    }
-    for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
-        const glm::uvec3 triangle =
-            mode == TINYGLTF_MODE_TRIANGLE_STRIP
-                ? glm::uvec3(corners[i], corners[i + 1 + i % 2], corners[i + 2 - i % 2])
-                : glm::uvec3(corners[i + 1], corners[i + 2], corners[0]);
-        if (triangle.x != triangle.y && triangle.y != triangle.z && triangle.z != triangle.x)
-            triangles.push_back(triangle);
-    }
-    return triangles;
+    std::set<int> sets = needs.texcoords;
+    sets.insert({0, 1});
+    return sets;
 }
 
-// Many primitives may share one large set of vertices: each reads only those it uses.
-std::vector<std::uint32_t> choose_vertices(std::vector<glm::uvec3>& triangles, std::size_t vertices)
-{
-    if (triangles.size() * 3 >= vertices)
-        return {};
-    std::vector<std::uint32_t> used;
-    used.reserve(triangles.size() * 3);
-    for (const glm::uvec3 triangle : triangles)
-        used.insert(used.end(), {triangle.x, triangle.y, triangle.z});
-    std::sort(used.begin(), used.end());
-    used.erase(std::unique(used.begin(), used.end()), used.end());
-    for (glm::uvec3& triangle : triangles)
-        for (int corner = 0; corner < 3; ++corner)
-            triangle[corner] = static_cast<std::uint32_t>(
-                std::lower_bound(used.begin(), used.end(), triangle[corner]) - used.begin());
-    return used;
-}
-
-void read_attributes(const Document& document, const PrimitivePart& part, std::size_t vertices, Mesh& mesh)
+void read_attributes(const Document& document, const PrimitivePart& part, const TextureNeeds& needs,
+                     std::size_t vertices, Mesh& mesh)
 {
     mesh.positions = read_vec3(document, *attribute(part, "POSITION"));
     // Whole numbers in unit vectors are fractions even where a file forgets to say so; lengths come later.
@@ -122,10 +92,9 @@ void read_attributes(const Document& document, const PrimitivePart& part, std::s
         use->normalized = true;
         mesh.tangents = read_vec4(document, *use);
     }
-    if (const auto use = vertex_attribute(document, part, "TEXCOORD_0", vertices))
-        mesh.texcoords[0] = read_vec2(document, *use);
-    if (const auto use = vertex_attribute(document, part, "TEXCOORD_1", vertices))
-        mesh.texcoords[1] = read_vec2(document, *use);
+    for (const int set : texcoord_sets(needs))
+        if (const auto use = vertex_attribute(document, part, text("TEXCOORD_", set).c_str(), vertices))
+            mesh.texcoords[set] = read_vec2(document, *use);
     if (auto use = vertex_attribute(document, part, "COLOR_0", vertices)) {
         use->normalized = true;
         mesh.colors = read_color(document, *use);
@@ -172,36 +141,44 @@ std::size_t replace_not_finite(std::vector<Vector>& vectors, float replacement)
     return count;
 }
 
-// Normals and tangents last: morph targets and skins move what they are made from.
-void complete(const TextureNeeds& needs, Mesh& mesh, PrimitiveNotes& notes)
+// Lines without normals keep none, and lines without tangents go without normal maps. [glTF 2.0, 3.9.6]
+void complete_triangles(const TextureNeeds& needs, Mesh& mesh, PrimitiveNotes& notes)
 {
-    notes.replaced_texcoords +=
-        replace_not_finite(mesh.texcoords[0], 0.0f) + replace_not_finite(mesh.texcoords[1], 0.0f);
-    notes.replaced_colors += replace_not_finite(mesh.colors, 1.0f);
     if (mesh.normals.empty())
         make_flat_normals(mesh);
     else
         notes.rebuilt_normals += repair_normals(mesh);
     notes.rebuilt_tangents += repair_tangents(mesh);
-    for (int set = 0; set < 2; ++set)
-        notes.missing_texcoords += needs.texcoord[set] && mesh.texcoords[set].empty() ? 1 : 0;
-    if (needs.normal_map_set >= 0 && mesh.tangents.empty() && !mesh.texcoords[needs.normal_map_set].empty())
-        make_tangents(mesh, needs.normal_map_set, needs.normal_map_transform);
+    const int set = needs.normal_map_set;
+    if (set >= 0 && mesh.tangents.empty() && !std::as_const(mesh).texcoords[set].empty())
+        make_tangents(mesh, set, needs.normal_map_transform);
+}
+
+// Normals and tangents last: morph targets and skins move what they are made from.
+void complete(const TextureNeeds& needs, Mesh& mesh, PrimitiveNotes& notes)
+{
+    for (auto& [number, set] : mesh.texcoords)
+        notes.replaced_texcoords += replace_not_finite(set, 0.0f);
+    notes.replaced_colors += replace_not_finite(mesh.colors, 1.0f);
+    for (const int set : needs.texcoords)
+        notes.missing_texcoords += std::as_const(mesh).texcoords[set].empty() ? 1 : 0;
+    if (!has_lines(mesh)) {
+        complete_triangles(needs, mesh, notes);
+    } else if (!mesh.normals.empty()) {
+        notes.rebuilt_normals += repair_normals(mesh);
+        notes.rebuilt_tangents += repair_tangents(mesh);
+    }
 }
 
 // Attributes that nothing reads may be of any kind.
-bool is_read(const std::string& attribute)
+bool is_read(const std::string& attribute, const TextureNeeds& needs)
 {
-    return attribute == "POSITION" || attribute == "NORMAL" || attribute == "TANGENT" ||
-           attribute == "COLOR_0" || attribute == "TEXCOORD_0" || attribute == "TEXCOORD_1" ||
-           attribute.starts_with("JOINTS_") || attribute.starts_with("WEIGHTS_");
-}
-
-std::size_t left_over(std::size_t corners, int mode)
-{
-    if (mode == TINYGLTF_MODE_TRIANGLES)
-        return corners % 3;
-    return corners < 3 ? corners : 0;
+    if (attribute == "POSITION" || attribute == "NORMAL" || attribute == "TANGENT" ||
+        attribute == "COLOR_0" || attribute.starts_with("JOINTS_") || attribute.starts_with("WEIGHTS_"))
+        return true;
+    const std::set<int> sets = texcoord_sets(needs);
+    return std::any_of(sets.begin(), sets.end(),
+                       [&](int set) { return attribute == text("TEXCOORD_", set); });
 }
 
 } // namespace
@@ -223,7 +200,7 @@ bool is_drawable(const Document& document, int mesh, int primitive)
     const tinygltf::Primitive& source = find_primitive(document, mesh, primitive);
     if (source.mode < TINYGLTF_MODE_POINTS || source.mode > TINYGLTF_MODE_TRIANGLE_FAN)
         document.fail(primitive_name(mesh, primitive), ": mode ", source.mode, " is not one of glTF");
-    return source.mode >= TINYGLTF_MODE_TRIANGLES && source.attributes.contains("POSITION");
+    return source.attributes.contains("POSITION");
 }
 
 std::uint64_t check_request(const Document& document, const PrimitiveRequest& request)
@@ -246,7 +223,7 @@ std::uint64_t check_request(const Document& document, const PrimitiveRequest& re
     if (primitive.indices >= 0)
         visits = check(primitive.indices, "indices");
     for (const auto& [attribute_name, accessor] : primitive.attributes)
-        if (is_read(attribute_name))
+        if (is_read(attribute_name, request.needs))
             check(accessor, attribute_name);
     std::uint64_t passes = 1;
     for (std::size_t target = 0; target < primitive.targets.size(); ++target) {
@@ -254,7 +231,7 @@ std::uint64_t check_request(const Document& document, const PrimitiveRequest& re
             continue;
         ++passes;
         for (const auto& [attribute_name, accessor] : primitive.targets[target])
-            if (is_read(attribute_name))
+            if (is_read(attribute_name, request.needs))
                 check(accessor, text("target ", target, " ", attribute_name));
     }
     return visits * passes + sparse;
@@ -270,14 +247,13 @@ PrimitiveResult read_primitive(const Document& document, const PrimitiveRequest&
     Mesh& mesh = result.mesh;
     {
         const std::vector<std::uint32_t> corners = corner_list(document, part, vertices);
-        result.notes.left_over_indices = left_over(corners.size(), primitive.mode);
-        mesh.triangles = triangles_of(corners, primitive.mode);
+        result.notes.left_over_indices = connect(corners, primitive.mode, mesh);
     }
-    if (mesh.triangles.empty())
+    if (is_empty(mesh))
         return result;
-    const std::vector<std::uint32_t> selection = choose_vertices(mesh.triangles, vertices);
+    const std::vector<std::uint32_t> selection = choose_vertices(mesh, vertices);
     part.selection = selection;
-    read_attributes(document, part, vertices, mesh);
+    read_attributes(document, part, request.needs, vertices, mesh);
     result.notes.left_out_displacements = apply_morph_targets(document, part, request.weights, mesh);
     if (!request.skin.empty() && has_skin_attributes(primitive)) {
         apply_skin(document, part, request.skin, mesh);

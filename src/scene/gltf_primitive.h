@@ -7,14 +7,15 @@
 #include <glm/mat4x4.hpp>
 
 #include <cstddef>
+#include <set>
 #include <span>
 
 namespace lambent::scene {
 
 /// What the primitive's material asks of its vertices.
 struct TextureNeeds {
-    bool texcoord[2] = {false, false}; ///< some texture reads this set
-    int normal_map_set = -1;           ///< the set of the normal texture; -1: none
+    std::set<int> texcoords; ///< the sets that some texture reads
+    int normal_map_set = -1; ///< the set of the normal texture; -1: none
     glm::mat3 normal_map_transform{1.0f};
 };
 
@@ -32,7 +33,7 @@ struct PrimitiveNotes {
     std::size_t rebuilt_tangents = 0;
     std::size_t replaced_texcoords = 0;     ///< were not finite: now 0
     std::size_t replaced_colors = 0;        ///< were not finite: now 1
-    std::size_t left_over_indices = 0;      ///< after the last whole triangle
+    std::size_t left_over_indices = 0;      ///< after the last whole triangle or line
     std::size_t missing_texcoords = 0;      ///< primitives whose material reads a set they do not have
     std::size_t left_out_displacements = 0; ///< morph targets of texture coordinates or colours
 
@@ -40,13 +41,13 @@ struct PrimitiveNotes {
 };
 
 struct PrimitiveResult {
-    Mesh mesh;             ///< material left at 0; without triangles where the primitive has none
+    Mesh mesh;             ///< material left at 0; empty where the primitive has no triangle, line or point
     bool in_world = false; ///< skinned: the node's transform does not apply
     float reach = 0.0f;    ///< largest coordinate of a position, sign aside
     PrimitiveNotes notes;
 };
 
-/// Whether the primitive is made of triangles and has positions. Throws Error(bad_input) for an unknown mode.
+/// Whether the primitive has positions. Throws Error(bad_input) for an unknown mode.
 bool is_drawable(const Document& document, int mesh, int primitive);
 
 /// Checks every accessor the request reads and returns how many elements reading it visits: the loader's

@@ -80,7 +80,13 @@ constexpr Shape scene{scene_properties};
 
 constexpr Property node_light_properties[] = {one("light", Kind::index, required)};
 constexpr Shape node_light{node_light_properties};
-constexpr Property node_extension_properties[] = {nested("KHR_lights_punctual", node_light)};
+constexpr Property instancing_properties[] = {one("attributes", Kind::index_map)};
+constexpr Shape instancing{instancing_properties};
+constexpr Property visibility_properties[] = {one("visible", Kind::flag)};
+constexpr Shape visibility{visibility_properties};
+constexpr Property node_extension_properties[] = {nested("KHR_lights_punctual", node_light),
+                                                  nested("EXT_mesh_gpu_instancing", instancing),
+                                                  nested("KHR_node_visibility", visibility)};
 constexpr Shape node_extensions{node_extension_properties};
 constexpr Property node_properties[] = {one("name", Kind::word),
                                         one("children", Kind::indices),

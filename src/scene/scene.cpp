@@ -10,6 +10,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace lambent::scene {
@@ -23,6 +24,19 @@ std::size_t at(int index)
 Bounds merge(const Bounds& a, const Bounds& b)
 {
     return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
+}
+
+// Of all instances of one mesh together.
+constexpr std::size_t most_vertices_looked_at = 200'000'000;
+
+std::vector<glm::vec3> corners_of(const Bounds& box)
+{
+    std::vector<glm::vec3> corners;
+    if (box.low.x <= box.high.x)
+        for (int corner = 0; corner < 8; ++corner)
+            corners.emplace_back(corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
+                                 corner & 4 ? box.high.z : box.low.z);
+    return corners;
 }
 
 Bounds instance_bounds(const Mesh& mesh, const glm::mat4& transform)
@@ -42,19 +56,56 @@ Bounds instance_bounds(const Mesh& mesh, const glm::mat4& transform)
 
 } // namespace
 
+bool has_lines(const Mesh& mesh)
+{
+    return !mesh.points.empty() || !mesh.lines.empty();
+}
+
+bool has_lines(const Scene& scene)
+{
+    return std::any_of(scene.meshes.begin(), scene.meshes.end(),
+                       [](const Mesh& mesh) { return has_lines(mesh); });
+}
+
+bool is_empty(const Mesh& mesh)
+{
+    return mesh.triangles.empty() && !has_lines(mesh);
+}
+
 std::size_t triangle_count(const Scene& scene)
 {
     std::size_t count = 0;
-    for (const Instance& instance : scene.instances)
-        count += scene.meshes[at(instance.mesh)].triangles.size();
+    for (const Instance& instance : scene.instances) {
+        const Mesh& mesh = scene.meshes[at(instance.mesh)];
+        count += mesh.triangles.size() + 2 * (mesh.points.size() + mesh.lines.size());
+    }
+    return count;
+}
+
+LineCount line_count(const Scene& scene)
+{
+    LineCount count;
+    for (const Instance& instance : scene.instances) {
+        count.points += scene.meshes[at(instance.mesh)].points.size();
+        count.lines += scene.meshes[at(instance.mesh)].lines.size();
+    }
     return count;
 }
 
 Bounds bounds(const Scene& scene)
 {
-    Bounds box;
+    std::vector<std::size_t> uses(scene.meshes.size(), 0);
     for (const Instance& instance : scene.instances)
-        box = merge(box, instance_bounds(scene.meshes[at(instance.mesh)], instance.transform));
+        ++uses[at(instance.mesh)];
+    std::vector<Mesh> boxes(scene.meshes.size());
+    Bounds box;
+    for (const Instance& instance : scene.instances) {
+        const Mesh& mesh = scene.meshes[at(instance.mesh)];
+        const bool often = uses[at(instance.mesh)] > most_vertices_looked_at / (mesh.positions.size() + 1);
+        if (often && boxes[at(instance.mesh)].positions.empty())
+            boxes[at(instance.mesh)].positions = corners_of(instance_bounds(mesh, glm::mat4(1.0f)));
+        box = merge(box, instance_bounds(often ? boxes[at(instance.mesh)] : mesh, instance.transform));
+    }
     return box;
 }
 

@@ -9,6 +9,7 @@
 #include <glm/vec4.hpp>
 
 #include "image/image.h"
+#include "scene/texcoord_sets.h"
 
 #include <cstdint>
 #include <limits>
@@ -36,7 +37,7 @@ struct Sampler {
 struct TextureUse {
     int image = -1; ///< index into Scene::images; -1: no texture
     Sampler sampler;
-    int texcoord = 0;          ///< which set: 0 or 1
+    int texcoord = 0;          ///< which set of the mesh, not below 0
     glm::mat3 transform{1.0f}; ///< applied to (u, v, 1); KHR_texture_transform
 };
 
@@ -70,15 +71,19 @@ struct Material {
     PhongMaterial phong;
 };
 
-/// Triangles with one material. Per-vertex arrays have one entry a vertex, or none where marked optional.
+/// Triangles, or points and lines, with one material. Per-vertex arrays have one entry a vertex, or none where marked
+/// optional. Corners are below positions.size(). Points and lines are one pixel wide in every picture
+/// (view/widened_scene.h), of a double-sided material; without normals it is unlit. [glTF 2.0, 3.9.6]
 struct Mesh {
     std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;      ///< unit length
-    std::vector<glm::vec4> tangents;     ///< optional; xyz unit length, w the sign of the bitangent
-    std::vector<glm::vec2> texcoords[2]; ///< optional
-    std::vector<glm::vec4> colors;       ///< optional; linear RGBA, multiplies the base colour
-    std::vector<glm::uvec3> triangles;   ///< below positions.size(); counter-clockwise seen from the front
-    int material = 0;                    ///< index into Scene::materials
+    std::vector<glm::vec3> normals;    ///< unit length; optional for points and lines
+    std::vector<glm::vec4> tangents;   ///< optional; xyz unit length, w the sign of the bitangent
+    TexcoordSets texcoords;            ///< each optional
+    std::vector<glm::vec4> colors;     ///< optional; linear RGBA, multiplies the base colour
+    std::vector<glm::uvec3> triangles; ///< counter-clockwise seen from the front
+    std::vector<glm::uvec2> lines;     ///< from one corner to another
+    std::vector<std::uint32_t> points;
+    int material = 0; ///< index into Scene::materials
 };
 
 /// A mesh placed in the world.
@@ -131,10 +136,24 @@ struct Scene {
     std::optional<Bounds> rest_bounds; ///< of a scene at a moment of an animation: its bounds without
 };
 
-/// Number of triangles drawn: instances counted each time.
+/// Whether it holds points or lines.
+bool has_lines(const Mesh& mesh);
+bool has_lines(const Scene& scene);
+
+/// Whether it shows anything.
+bool is_empty(const Mesh& mesh);
+
+/// Number of triangles drawn: instances counted each time, points and lines as two.
 std::size_t triangle_count(const Scene& scene);
 
-/// Smallest box around every instance in the world; low > high for an empty scene.
+/// How many points and lines are drawn: instances counted each time.
+struct LineCount {
+    std::size_t points = 0, lines = 0;
+};
+LineCount line_count(const Scene& scene);
+
+/// Smallest box around every instance in the world; low > high for an empty scene. Around meshes that are shown so often
+/// that looking at every vertex would take seconds, the box of their boxes.
 Bounds bounds(const Scene& scene);
 
 /// The box that a camera frames: rest_bounds, if something is in it, so that pictures of one animation are seen from one

@@ -31,8 +31,8 @@ void for_each_array(Mesh& mesh, Action action)
     action(mesh.positions);
     action(mesh.normals);
     action(mesh.tangents);
-    action(mesh.texcoords[0]);
-    action(mesh.texcoords[1]);
+    for (auto& [number, set] : mesh.texcoords)
+        action(set);
     action(mesh.colors);
 }
 

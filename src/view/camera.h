@@ -36,6 +36,7 @@ Camera from_scene(const scene::Camera& camera);
 struct RayMap {
     glm::vec3 origin{0.0f}, origin_dx{0.0f}, origin_dy{0.0f};
     glm::vec3 direction{0.0f}, direction_dx{0.0f}, direction_dy{0.0f};
+    bool operator==(const RayMap& other) const = default;
 };
 RayMap ray_map(const Camera& camera, int width, int height);
 

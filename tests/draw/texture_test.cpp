@@ -1,6 +1,7 @@
 // Textures as surfaces show them: orientation, transfer, filtering, wrapping, normal maps.
 #include "draw/cpu/packed_texture.h"
 #include "tests/draw/test_scenes.h"
+#include "tests/draw/texcoord_scene.h"
 
 #include <gtest/gtest.h>
 
@@ -64,6 +65,27 @@ TEST(Textures, CodesBecomeLightByTheChosenTransfer)
     EXPECT_NEAR(pixel(testing::draw(scene, nullptr, settings), 4, 4).r, 0.21952f, 1e-4f);
     settings.texel_transfer = TexelTransfer::none;
     EXPECT_NEAR(pixel(testing::draw(scene, nullptr, settings), 4, 4).r, 0.50196f, 1e-4f);
+}
+
+// Which numbers the sets have is all the same, and each texture reads its own: the layers say what it found.
+TEST(Textures, EachReadsItsOwnSetOfCoordinates)
+{
+    Settings settings = view(8);
+    settings.layers = true;
+    settings.samples = 8;
+    const environment::Environment white = testing::white_environment();
+    const Frame frame = testing::draw(testing::texcoord_scene({9, 4, 0, 1, 2}), &white, settings);
+    // IEC 61966-2-1 of code 200 is 0.57758, of 60 0.04519; codes of roughness are linear.
+    EXPECT_NEAR(testing::layer_pixel(frame, "base_color", 4, 4).r, 0.57758f, 1e-3f);
+    EXPECT_NEAR(testing::layer_pixel(frame, "light_emitted", 4, 4).g, 0.04519f, 1e-4f);
+    EXPECT_NEAR(testing::layer_pixel(frame, "roughness", 4, 4).g, 140.0f / 255.0f, 1e-3f);
+    // (170, 150, 220) stands for (.333, .176, .725), which is made a unit long.
+    EXPECT_NEAR(testing::layer_pixel(frame, "normal", 4, 4).x, 0.4080f, 2e-3f);
+    const Frame others = testing::draw(testing::texcoord_scene({3, 2147483647, 8, 5, 7}), &white, settings);
+    EXPECT_EQ(frame.radiance.values, others.radiance.values);
+    // All from one set is another picture.
+    EXPECT_NE(testing::draw(testing::texcoord_scene({1, 1, 1, 1, 1}), &white, settings).radiance.values,
+              frame.radiance.values);
 }
 
 TEST(Textures, SixteenBitsAreKept)

@@ -30,14 +30,22 @@ bool one_each_or_none(const Elements& elements, std::size_t vertices)
 void check_mesh(const Mesh& mesh, const Scene& scene)
 {
     const std::size_t vertices = mesh.positions.size();
-    require(mesh.normals.size() == vertices);
+    require(mesh.normals.size() == vertices || (has_lines(mesh) && mesh.normals.empty()));
+    require(!has_lines(mesh) || mesh.triangles.empty());
     require(one_each_or_none(mesh.tangents, vertices) && one_each_or_none(mesh.colors, vertices));
-    require(one_each_or_none(mesh.texcoords[0], vertices) && one_each_or_none(mesh.texcoords[1], vertices));
+    for (const auto& [number, set] : mesh.texcoords)
+        require(number >= 0 && one_each_or_none(set, vertices));
     require(static_cast<std::size_t>(mesh.material) < scene.materials.size());
     for (const glm::uvec3 triangle : mesh.triangles)
         require(triangle.x < vertices && triangle.y < vertices && triangle.z < vertices);
+    for (const glm::uvec2 line : mesh.lines)
+        require(line.x < vertices && line.y < vertices);
+    for (const std::uint32_t point : mesh.points)
+        require(point < vertices);
     for (std::size_t i = 0; i < vertices; ++i) {
         require(std::isfinite(mesh.positions[i].x + mesh.positions[i].y + mesh.positions[i].z));
+        if (mesh.normals.empty())
+            continue;
         const glm::vec3 n = mesh.normals[i];
         require(std::abs(n.x * n.x + n.y * n.y + n.z * n.z - 1.0f) < 1e-4f);
     }
@@ -57,8 +65,7 @@ void check_scene(const Scene& scene, std::size_t images)
         for (const TextureUse* use :
              {&material.base_color_texture, &material.metallic_roughness_texture, &material.normal_texture,
               &material.occlusion_texture, &material.emissive_texture})
-            require(use->image >= -1 && use->image < static_cast<int>(images) && use->texcoord >= 0 &&
-                    use->texcoord <= 1);
+            require(use->image >= -1 && use->image < static_cast<int>(images) && use->texcoord >= 0);
     const Bounds box = bounds(scene);
     require(triangle_count(scene) == 0 || std::isfinite(box.high.x - box.low.x));
 }

@@ -37,7 +37,7 @@ TEST(GltfHostile, TheUndamagedFileLoads)
 {
     Warnings warnings;
     const Scene scene = load(rich_file(), &warnings);
-    EXPECT_EQ(scene.meshes.size(), 3u); // the last for what is flattened
+    EXPECT_EQ(scene.meshes.size(), 4u); // the last for what is flattened
     EXPECT_EQ(scene.animations.size(), 1u);
     EXPECT_EQ(scene.images.size(), 1u);
     EXPECT_EQ(scene.cameras.size(), 1u);

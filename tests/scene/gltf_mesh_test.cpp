@@ -1,9 +1,11 @@
 // Primitives: modes, indices, attributes, and the vertices that the loader has to complete.
 #include "tests/scene/gltf_builder.h"
+#include "tests/scene/png_writer.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
 
 namespace lambent::scene::test {
 namespace {
@@ -102,23 +104,12 @@ TEST(GltfMesh, IndicesAfterTheLastTriangleAreWarnedOf)
                                          }),
                              &warnings);
     EXPECT_EQ(scene.meshes.at(0).triangles.size(), 1u);
-    EXPECT_EQ(warnings, Warnings{"test.gltf: 1 indices after the last whole triangle left out"});
+    EXPECT_EQ(warnings, Warnings{"test.gltf: 1 indices after the last whole triangle or line left out"});
 }
 
-TEST(GltfMesh, PointsAndLinesAreLeftOutWithOneWarning)
+TEST(GltfMesh, AnUnknownModeIsRefused)
 {
-    GltfBuilder builder = five_points(0);
-    json& primitives = builder.document["meshes"][0]["primitives"];
-    for (const int mode : {1, 2, 3, 4}) {
-        primitives.push_back(primitives[0]);
-        primitives.back()["mode"] = mode;
-    }
-    Warnings warnings;
-    EXPECT_EQ(load(builder, &warnings).meshes.size(), 1u);
-    EXPECT_TRUE(
-        warned_once(warnings, "test.gltf: 4 primitives are points, lines or without positions: left out"));
-    primitives[0]["mode"] = 7;
-    EXPECT_EQ(refusal(builder), "test.gltf: mesh 0, primitive 0: mode 7 is not one of glTF");
+    EXPECT_EQ(refusal(five_points(7)), "test.gltf: mesh 0, primitive 0: mode 7 is not one of glTF");
 }
 
 TEST(GltfMesh, APrimitiveWithoutPositionsIsLeftOut)
@@ -206,6 +197,46 @@ TEST(GltfMesh, BothSetsOfTextureCoordinatesAreRead)
     ASSERT_EQ(mesh.texcoords[1].size(), mesh.positions.size());
     EXPECT_EQ(mesh.texcoords[0][1], glm::vec2(0, 1));
     EXPECT_EQ(mesh.texcoords[1][1], glm::vec2(1, 0.2f));
+}
+
+// Five textures may read five sets, one of them by KHR_texture_transform's word; tangents are made from the normal
+// texture's. What no texture reads may be of any kind.
+TEST(GltfMesh, AnySetOfTextureCoordinatesThatAMaterialAsksForIsRead)
+{
+    GltfBuilder builder = five_points(4);
+    builder.add_to("images", {{"bufferView", builder.add_view(make_png({1, 1, 8, {1, 2, 3, 4}}))}});
+    builder.add_to("textures", {{"source", 0}});
+    const auto use = [](int set) { return json{{"index", 0}, {"texCoord", set}}; };
+    json moved = use(1);
+    moved["extensions"]["KHR_texture_transform"]["texCoord"] = 12;
+    builder.add_to("materials", {{"pbrMetallicRoughness",
+                                  {{"baseColorTexture", use(2)}, {"metallicRoughnessTexture", use(3)}}},
+                                 {"normalTexture", use(5)},
+                                 {"occlusionTexture", use(7)},
+                                 {"emissiveTexture", moved}});
+    json& primitive = builder.document["meshes"][0]["primitives"][0];
+    primitive["material"] = 0;
+    primitive["attributes"]["TEXCOORD_4"] = primitive["attributes"]["POSITION"];
+    for (const int set : {2, 3, 5, 7, 12}) {
+        const auto u = static_cast<float>(set);
+        primitive["attributes"]["TEXCOORD_" + std::to_string(set)] =
+            builder.add_vec2({u, 0, u, 1, u + 1, 0, 0, 0, 0, 0});
+    }
+    Warnings warnings;
+    const Scene scene = load(builder, &warnings);
+    EXPECT_EQ(warnings, Warnings());
+    const Mesh& mesh = scene.meshes.at(0);
+    for (const int set : {2, 3, 5, 7, 12}) {
+        ASSERT_EQ(mesh.texcoords[set].size(), mesh.positions.size()) << set;
+        EXPECT_EQ(mesh.texcoords[set][1], glm::vec2(set, 1));
+    }
+    EXPECT_TRUE(mesh.texcoords[4].empty());
+    EXPECT_EQ(mesh.tangents.size(), mesh.positions.size());
+    EXPECT_EQ(scene.materials.at(0).emissive_texture.texcoord, 12);
+    EXPECT_EQ(scene.materials.at(0).occlusion_texture.texcoord, 7);
+    primitive["attributes"].erase("TEXCOORD_7");
+    load(builder, &warnings);
+    EXPECT_TRUE(warned_once(warnings, "1 primitives have textures but not the texture coordinates"));
 }
 
 TEST(GltfMesh, MissingNormalsBecomeFlat)

@@ -229,6 +229,35 @@ TEST(GltfCameras, ImpossibleOnesAreRefused)
     EXPECT_TRUE(warned_once(warnings, "node 1: camera without direction left out"));
 }
 
+// "A node is visible if and only if its own visible property is true and all its parents are visible"; "visibility affects
+// neither cameras". [KHR_node_visibility]
+TEST(GltfNodes, HiddenOnesHideTheirMeshesAndLightsAndThoseBelow)
+{
+    GltfBuilder builder = triangle();
+    const auto visible = [](bool is) { return json{{"KHR_node_visibility", {{"visible", is}}}}; };
+    json& nodes = builder.document["nodes"];
+    nodes[0]["extensions"] = visible(true);
+    nodes.push_back({{"mesh", 0}, {"extensions", visible(false)}, {"children", {2}}});
+    nodes.push_back({{"mesh", 0}, {"extensions", visible(true)}, {"children", {3}}});
+    nodes.push_back({{"camera", 0}, {"name", "below"}, {"mesh", 0}});
+    nodes[3]["extensions"]["KHR_lights_punctual"]["light"] = 0;
+    builder.document["cameras"] = json::array({lens});
+    builder.document["extensions"]["KHR_lights_punctual"]["lights"] = json::array({{{"type", "point"}}});
+    builder.document["scenes"] = json::array({{{"nodes", {0, 1}}}});
+    builder.document["extensionsUsed"] = {"KHR_node_visibility", "KHR_lights_punctual"};
+    builder.document["extensionsRequired"] = {"KHR_node_visibility"};
+    Warnings warnings;
+    Scene scene = load(builder, &warnings);
+    EXPECT_EQ(warnings, Warnings());
+    EXPECT_EQ(scene.instances.size(), 1u);
+    EXPECT_TRUE(scene.lights.empty());
+    EXPECT_EQ(scene.cameras.at(0).name, "below");
+    nodes[1]["extensions"] = {{"KHR_node_visibility", json::object()}};
+    scene = load(builder);
+    EXPECT_EQ(scene.instances.size(), 4u);
+    EXPECT_EQ(scene.lights.size(), 1u);
+}
+
 GltfBuilder with_light(const json& light, const json& node)
 {
     GltfBuilder builder = triangle();

@@ -59,6 +59,10 @@ GltfBuilder rich_file()
                              {{{"input", times}, {"output", places}, {"interpolation", "STEP"}},
                               {{"input", times}, {"output", turns}},
                               {{"input", times}, {"output", shapes}, {"interpolation", "CUBICSPLINE"}}}}});
+    b.document["nodes"][2]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"TRANSLATION", places},
+                                                                                     {"ROTATION", turns}};
+    b.document["nodes"][2]["extensions"]["KHR_node_visibility"]["visible"] = true;
+    b.add_primitive({{"attributes", {{"POSITION", places}, {"TEXCOORD_3", places}}}, {"mode", 2}});
     return b;
 }
 

@@ -25,9 +25,12 @@ Json triple(const glm::vec3& v)
 Json describe_scene(const scene::Scene& scene)
 {
     Json info = {{"format", "glTF 2.0"}, {"triangles", scene::triangle_count(scene)}};
+    const scene::LineCount thin = scene::line_count(scene);
+    info["lines"] = thin.lines;
+    info["points"] = thin.points;
     info["instances"] = scene.instances.size();
     info["meshes"] = std::count_if(scene.meshes.begin(), scene.meshes.end(),
-                                   [](const scene::Mesh& mesh) { return !mesh.triangles.empty(); });
+                                   [](const scene::Mesh& mesh) { return !scene::is_empty(mesh); });
     info["materials"] = scene.materials.size();
     info["textures"] = Json::array();
     for (const image::CodeImage& image : scene.images)

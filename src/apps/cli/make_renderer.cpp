@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "draw/cpu/cpu_renderer.h"
+#include "draw/line_renderer.h"
 #include "draw/rescued_renderer.h"
 
 #ifdef LAMBENT_VULKAN
@@ -11,8 +12,9 @@
 #endif
 
 namespace lambent::cli {
+namespace {
 
-std::unique_ptr<draw::Renderer> make_renderer(const RendererChoice& choice, const scene::Scene& scene)
+std::unique_ptr<draw::Renderer> of_triangles(const RendererChoice& choice, const scene::Scene& scene)
 {
     if (choice.backend == Backend::cpu)
         return draw::make_cpu_renderer(scene);
@@ -34,6 +36,13 @@ std::unique_ptr<draw::Renderer> make_renderer(const RendererChoice& choice, cons
         throw Error(Failure::no_device, "--backend vulkan: this program was built without Vulkan");
 #endif
     return draw::make_cpu_renderer(scene);
+}
+
+} // namespace
+
+std::unique_ptr<draw::Renderer> make_renderer(const RendererChoice& choice, const scene::Scene& scene)
+{
+    return draw::with_lines(of_triangles(choice, scene), scene);
 }
 
 } // namespace lambent::cli

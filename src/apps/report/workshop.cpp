@@ -9,6 +9,7 @@
 #include "compare/heat_map.h"
 #include "compare/picture.h"
 #include "draw/cpu/cpu_renderer.h"
+#include "draw/line_renderer.h"
 #include "image/image_io.h"
 
 #include <algorithm>
@@ -148,7 +149,7 @@ draw::Frame Workshop::draw(const cli::RenderArguments& arguments)
 {
     const scene::Scene& scene = scene_of(arguments);
     if (!stage_->renderer)
-        stage_->renderer = draw::make_cpu_renderer(scene);
+        stage_->renderer = draw::with_lines(draw::make_cpu_renderer(scene), scene);
     draw::Settings settings = arguments.settings;
     settings.camera = cli::choose_camera(arguments, scene);
     settings.layers = !arguments.layers.empty();

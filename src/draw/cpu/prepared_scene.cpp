@@ -2,7 +2,30 @@
 
 #include <glm/matrix.hpp>
 
+#include <algorithm>
+#include <cstddef>
+
 namespace lambent::draw {
+
+TexcoordChoice::TexcoordChoice(const scene::Mesh& mesh, const scene::Material& material)
+    : base_color(add(mesh, material.base_color_texture)),
+      metallic_roughness(add(mesh, material.metallic_roughness_texture)),
+      normal(add(mesh, material.normal_texture)), occlusion(add(mesh, material.occlusion_texture)),
+      emissive(add(mesh, material.emissive_texture))
+{
+}
+
+int TexcoordChoice::add(const scene::Mesh& mesh, const scene::TextureUse& use)
+{
+    if (use.image < 0)
+        return 0;
+    const std::vector<glm::vec2>* const set = &mesh.texcoords[use.texcoord];
+    const auto end = sets.begin() + count;
+    const auto found = std::find(sets.begin(), end, set);
+    if (found == end)
+        sets[static_cast<std::size_t>(count++)] = set;
+    return static_cast<int>(found - sets.begin());
+}
 
 PreparedScene::PreparedScene(const scene::Scene& scene, const scene::Scene& posed, TexelTransfer transfer)
     : textures_(scene, transfer)
@@ -26,6 +49,7 @@ void PreparedScene::pose(const scene::Scene& posed)
         context.normals = glm::transpose(glm::inverse(linear));
         context.handedness = glm::determinant(linear) < 0.0f ? -1.0f : 1.0f;
         context.textures = textures_.of(*context.material);
+        context.texcoords = TexcoordChoice(mesh, *context.material);
         surfaces_.push_back(context);
     }
 }

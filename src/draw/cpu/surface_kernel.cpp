@@ -106,9 +106,8 @@ Turning shading_normal(const SurfaceContext& c, const Fragments& f, size_t at, c
                       to_world * change(corners, weights.b_dy, weights.c_dy));
 }
 
-TexturePoint texture_point(const scene::TextureUse& use, const Corners<2>* sets, const Barycentric& at)
+TexturePoint texture_point(const scene::TextureUse& use, const Corners<2>& corners, const Barycentric& at)
 {
-    const Corners<2>& corners = sets[use.texcoord];
     const glm::mat3& m = use.transform;
     const auto coordinate = [](const Corners<2>& from, int corner) HWY_ATTR {
         return vec2(load(from.values[corner][0]), load(from.values[corner][1]));
@@ -124,23 +123,25 @@ TexturePoint texture_point(const scene::TextureUse& use, const Corners<2>* sets,
 // All that textures of one vector of fragments need.
 struct Texturing {
     Barycentric at;
-    Corners<2> sets[2];
+    Corners<2> sets[5]; // as TexcoordChoice has them
 
     Texturing(const SurfaceContext& c, const Fragments& f, size_t first, const Barycentric& weights)
         : at(weights)
     {
-        for (int set = 0; set < 2; ++set)
-            if (!c.mesh->texcoords[set].empty())
-                gather(c, c.mesh->texcoords[set], f.triangle.data() + first, sets[set]);
+        for (int i = 0; i < c.texcoords.count; ++i) {
+            const std::vector<glm::vec2>& set = *c.texcoords.sets[static_cast<size_t>(i)];
+            if (!set.empty())
+                gather(c, set, f.triangle.data() + first, sets[i]);
             else
-                memset(&sets[set], 0, sizeof sets[set]);
+                memset(&sets[i], 0, sizeof sets[i]);
+        }
     }
 
-    Color read(const PackedTexture* texture, const scene::TextureUse& use, double otherwise) const
+    Color read(const PackedTexture* texture, const scene::TextureUse& use, int set, double otherwise) const
     {
         if (!texture)
             return {otherwise, otherwise, otherwise, otherwise};
-        return read_texture(*texture, texture_point(use, sets, at));
+        return read_texture(*texture, texture_point(use, sets[set], at));
     }
 };
 
@@ -152,7 +153,7 @@ vec3 bumped(const SurfaceContext& c, const Fragments& f, size_t at, const Textur
     Corners<4> corners;
     gather(c, c.mesh->tangents, f.triangle.data() + at, corners);
     const vec3 along = uniform(glm::mat3(c.transform)) * interpolate3(corners, t.at);
-    const Color code = t.read(c.textures.normal, c.material->normal_texture, 0.0);
+    const Color code = t.read(c.textures.normal, c.material->normal_texture, c.texcoords.normal, 0.0);
     return mapped_normal(normal, along, Real(c.handedness) * load(corners.values[0][3]),
                          vec3(code.r, code.g, code.b), c.material->normal_scale);
 }
@@ -166,7 +167,7 @@ struct Material {
 Material material_at(const SurfaceContext& c, const Fragments& f, size_t at, const Texturing& t)
 {
     const scene::Material& m = *c.material;
-    Color base = t.read(c.textures.base_color, m.base_color_texture, 1.0);
+    Color base = t.read(c.textures.base_color, m.base_color_texture, c.texcoords.base_color, 1.0);
     if (!c.mesh->colors.empty()) {
         Corners<4> corners;
         gather(c, c.mesh->colors, f.triangle.data() + at, corners);
@@ -179,9 +180,10 @@ Material material_at(const SurfaceContext& c, const Fragments& f, size_t at, con
     base.g *= Real(m.base_color.g);
     base.b *= Real(m.base_color.b);
     base.a *= Real(m.base_color.a);
-    const Color rough = t.read(c.textures.metallic_roughness, m.metallic_roughness_texture, 1.0);
-    const Color occlusion = t.read(c.textures.occlusion, m.occlusion_texture, 1.0);
-    const Color emitted = t.read(c.textures.emissive, m.emissive_texture, 1.0);
+    const Color rough = t.read(c.textures.metallic_roughness, m.metallic_roughness_texture,
+                               c.texcoords.metallic_roughness, 1.0);
+    const Color occlusion = t.read(c.textures.occlusion, m.occlusion_texture, c.texcoords.occlusion, 1.0);
+    const Color emitted = t.read(c.textures.emissive, m.emissive_texture, c.texcoords.emissive, 1.0);
     return {base, clamp(rough.b * Real(m.metallic), 0.0, 1.0),
             c.roughness ? Real(*c.roughness) : clamp(rough.g * Real(m.perceptual_roughness), 0.0, 1.0),
             1.0 + Real(m.occlusion_strength) * (occlusion.r - 1.0),

@@ -8,10 +8,27 @@
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 
+#include <array>
 #include <optional>
+#include <vector>
 
 namespace lambent::draw {
+
+/// The sets of texture coordinates that a material's textures read, each once, and which of these each texture reads.
+struct TexcoordChoice {
+    TexcoordChoice() = default;
+    TexcoordChoice(const scene::Mesh& mesh, const scene::Material& material);
+
+    std::array<const std::vector<glm::vec2>*, 5>
+        sets{}; ///< the first `count`; empty where the mesh has none such
+    int count = 0;
+    int base_color = 0, metallic_roughness = 0, normal = 0, occlusion = 0, emissive = 0; ///< index into sets
+
+private:
+    int add(const scene::Mesh& mesh, const scene::TextureUse& use);
+};
 
 /// What all fragments of a group share.
 struct SurfaceContext {
@@ -20,6 +37,7 @@ struct SurfaceContext {
     const scene::Mesh* mesh = nullptr;
     const scene::Material* material = nullptr;
     MaterialTextures textures;
+    TexcoordChoice texcoords;
     glm::mat4 transform{1.0f}; ///< world from mesh
     glm::mat3 normals{1.0f};   ///< world from mesh for normals, up to length; keeps what is outside outside
     float handedness = 1.0f;   ///< -1 where the transform mirrors

@@ -10,7 +10,7 @@ vec4 words4(uint at) { return vec4(words3(at), word(at + 3u)); }
 uvec3 corners_of(MeshRecord mesh, uint triangle)
 {
     Words geometry = Words(picture.addresses.xy);
-    uint at = mesh.others.z + 3u * triangle;
+    uint at = mesh.others.x + 3u * triangle;
     return uvec3(geometry.words[at], geometry.words[at + 1u], geometry.words[at + 2u]);
 }
 

@@ -61,8 +61,7 @@ vec4 row(const glm::mat4& m, int i)
 UseRecord use_record(const scene::TextureUse& use, int texture)
 {
     const glm::mat3& m = use.transform;
-    return {
-        {m[0][0], m[1][0], m[2][0], 0.0f}, {m[0][1], m[1][1], m[2][1], 0.0f}, {texture, use.texcoord, 0, 0}};
+    return {{m[0][0], m[1][0], m[2][0], 0.0f}, {m[0][1], m[1][1], m[2][1], 0.0f}, {texture, 0, 0, 0}};
 }
 
 vec4 given(const std::optional<glm::vec3>& color)
@@ -126,22 +125,24 @@ void SceneOnDevice::pose(const vulkan::Device& device, const scene::Scene& posed
         buffer->reset(); // before the next take memory
     batches_.clear();
     transparent_ = false;
-    place_geometry(device, posed);
-    place_instances(device, posed);
+    place_instances(device, posed, place_geometry(device, posed));
     plan_draws(device, posed);
 }
 
 // Positions once more by themselves: the vertices of the raster passes.
-void SceneOnDevice::place_geometry(const vulkan::Device& device, const scene::Scene& scene)
+SceneOnDevice::SetPlaces SceneOnDevice::place_geometry(const vulkan::Device& device,
+                                                       const scene::Scene& scene)
 {
     Words words, positions, indices;
+    SetPlaces sets;
     std::vector<MeshRecord> records;
     for (const scene::Mesh& mesh : scene.meshes) {
         const uvec4 vectors(words.add(mesh.positions), words.add(mesh.normals), words.add(mesh.tangents),
                             words.add(mesh.colors));
-        const uvec4 others(words.add(mesh.texcoords[0]), words.add(mesh.texcoords[1]),
-                           words.add(mesh.triangles), 0);
-        records.push_back({vectors, others});
+        records.push_back({vectors, {words.add(mesh.triangles), 0, 0, 0}});
+        auto& places = sets.emplace_back();
+        for (const auto& [number, set] : mesh.texcoords)
+            places.emplace(number, words.add(set));
         positions.add(mesh.positions);
         indices.add(mesh.triangles);
     }
@@ -149,14 +150,21 @@ void SceneOnDevice::place_geometry(const vulkan::Device& device, const scene::Sc
     positions_.emplace(filled_buffer(device, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, positions.parts()));
     indices_.emplace(filled_buffer(device, VK_BUFFER_USAGE_INDEX_BUFFER_BIT, indices.parts()));
     meshes_.emplace(filled_buffer(device, records));
+    return sets;
 }
 
-void SceneOnDevice::place_instances(const vulkan::Device& device, const scene::Scene& scene)
+void SceneOnDevice::place_instances(const vulkan::Device& device, const scene::Scene& scene,
+                                    const SetPlaces& sets)
 {
     std::vector<InstanceRecord> records;
     for (const scene::Instance& instance : scene.instances) {
         const glm::mat4 normals(glm::transpose(glm::inverse(glm::mat3(instance.transform))));
-        const auto material = &material_of(scene, instance) - scene.materials.data();
+        const scene::Material& material = material_of(scene, instance);
+        const auto& places = sets[static_cast<std::size_t>(instance.mesh)];
+        const auto set = [&](const scene::TextureUse& use) {
+            const auto found = places.find(use.texcoord);
+            return found == places.end() ? no_words : found->second;
+        };
         InstanceRecord record{};
         record.row_x = row(instance.transform, 0);
         record.row_y = row(instance.transform, 1);
@@ -165,7 +173,12 @@ void SceneOnDevice::place_instances(const vulkan::Device& device, const scene::S
         record.normal_y = row(normals, 1);
         record.normal_z = row(normals, 2);
         record.normal_z.w = mirrors(instance) ? -1.0f : 1.0f;
-        record.ids = {static_cast<uint>(instance.mesh), static_cast<uint>(material), 0, 0};
+        record.ids = {static_cast<uint>(instance.mesh), static_cast<uint>(&material - scene.materials.data()),
+                      set(material.emissive_texture), 0};
+        record.sets[use_base_color] = set(material.base_color_texture);
+        record.sets[use_metallic_roughness] = set(material.metallic_roughness_texture);
+        record.sets[use_normal] = set(material.normal_texture);
+        record.sets[use_occlusion] = set(material.occlusion_texture);
         records.push_back(record);
     }
     instances_.emplace(filled_buffer(device, records));

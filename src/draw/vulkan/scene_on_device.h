@@ -2,8 +2,10 @@
 #pragma once
 
 #include "draw/cpu/scene_textures.h"
+#include "gpu_layout/layout.h"
 #include "vulkan/commands.h"
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -37,8 +39,11 @@ public:
     bool transparent() const { return transparent_; }
 
 private:
-    void place_geometry(const vulkan::Device& device, const scene::Scene& scene);
-    void place_instances(const vulkan::Device& device, const scene::Scene& scene);
+    /// Of each mesh, where each of its sets of texture coordinates begins in the geometry.
+    using SetPlaces = std::vector<std::map<int, gpu_layout::uint>>;
+
+    SetPlaces place_geometry(const vulkan::Device& device, const scene::Scene& scene);
+    void place_instances(const vulkan::Device& device, const scene::Scene& scene, const SetPlaces& sets);
     void place_materials(const vulkan::Device& device, const scene::Scene& scene,
                          const SceneTextures& textures);
     void place_textures(const vulkan::Device& device, const SceneTextures& textures);

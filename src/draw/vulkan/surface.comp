@@ -40,9 +40,8 @@ Turning shading_normal(Place p)
 
 vec2 transformed(UseRecord use, vec2 v) { return vec2(dot(use.row_u.xy, v), dot(use.row_v.xy, v)); }
 
-TexturePoint texture_point(UseRecord use, Place p)
+TexturePoint texture_point(UseRecord use, uint set, Place p)
 {
-    uint set = use.ids.y == 0 ? p.mesh.others.x : p.mesh.others.y;
     vec2 first = vec2(0.0);
     vec2 b = vec2(0.0);
     vec2 c = vec2(0.0);
@@ -64,7 +63,7 @@ void read_textures(uint material, Place p, out vec4 read[use_count])
         UseRecord use = materials[material].uses[i];
         read[i] = vec4(1.0);
         if (textured == 1 && use.ids.x >= 0)
-            read[i] = read_texture(use.ids.x, texture_point(use, p));
+            read[i] = read_texture(use.ids.x, texture_point(use, i < 4 ? p.instance.sets[i] : p.instance.ids.z, p));
     }
 }
 
