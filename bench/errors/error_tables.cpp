@@ -2,7 +2,7 @@
 //
 //     error_tables OUT.md [--width N] [--seconds S] [--scene NAME] [FILE ...]
 //
-// FILEs are panoramas (.hdr, .exr) and models (.gltf, .glb) beside the built-in ones; --scene: that built-in scene alone.
+// FILEs are panoramas (.hdr, .exr) and models (.gltf, .glb) beside the built-in ones; --scene: that built-in scene alone, and no model.
 #include "bench/errors/error_cases.h"
 
 #include "base/error.h"
@@ -30,6 +30,8 @@ struct Request {
 Request request_of(int count, char** words)
 {
     Request request;
+    std::vector<std::string> models;
+    std::string one_scene;
     for (int i = 1; i < count; ++i) {
         const std::string word = words[i];
         const std::string extension = std::filesystem::path(word).extension().string();
@@ -38,14 +40,18 @@ Request request_of(int count, char** words)
         else if (word == "--seconds" && i + 1 < count)
             request.seconds = std::atof(words[++i]);
         else if (word == "--scene" && i + 1 < count)
-            request.scenes = {words[++i]};
+            one_scene = words[++i];
         else if (extension == ".glb" || extension == ".gltf")
-            request.scenes.push_back(word);
+            models.push_back(word);
         else if (extension == ".hdr" || extension == ".exr")
             request.environments.push_back(word);
         else
             request.output = word;
     }
+    if (one_scene.empty())
+        request.scenes.insert(request.scenes.end(), models.begin(), models.end());
+    else
+        request.scenes = {one_scene};
     return request;
 }
 
@@ -75,7 +81,7 @@ void write_tables(const Request& request)
     std::ofstream out(request.output);
     for (const std::string& scene : request.scenes)
         for (const char* model : {"ggx", "phong"}) {
-            out << "\n### " << short_name(scene) << ", " << model << "\n\n"
+            out << "\n### " << short_name(scene) << ", " << model << ", " << request.width << "x" << request.width * 9 / 16 << "\n\n"
                 << "| environment | 40 samples | 1024 samples | 40, not cut | 1024, not cut | 40, against "
                    "full light "
                    "|\n| --- | --- | --- | --- | --- | --- |\n";

@@ -1,5 +1,6 @@
 #include "environment/builtin.h"
 
+#include "base/closest.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "environment/kitchen.h"
@@ -11,6 +12,8 @@
 #include <bit>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <vector>
 
 namespace lambent::environment {
 namespace {
@@ -57,7 +60,9 @@ bool is_builtin(std::string_view name)
 image::RadianceImage make_builtin(std::string_view name, const BuiltinOptions& given)
 {
     if (!is_builtin(name))
-        throw Error(Failure::usage, text("there is no built-in environment '", name, "'"));
+        throw Error(Failure::usage,
+                    text("there is no built-in environment '", name, "'",
+                         did_you_mean(name, std::vector<std::string>(names.begin(), names.end()))));
     BuiltinOptions options = given;
     if (options.width == 0)
         options.width = name == "kitchen" ? 2048 : 1024;

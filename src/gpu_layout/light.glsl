@@ -1,5 +1,5 @@
-// What the shaders of light and their program agree on: the same text in GLSL and, by light.h, in C++. Numbers and
-// vectors of four only, so that both languages lay it out alike.
+// What the shaders of surfaces and light and their program agree on: the same text in GLSL and, by layout.h, in C++.
+// Records hold vectors of four only, so that both languages lay them out alike.
 
 // Specialization constants.
 const int constant_pass = 0;

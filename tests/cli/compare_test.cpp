@@ -51,6 +51,32 @@ void expect_refused(const std::vector<std::string>& words, int code, const std::
     EXPECT_EQ(outcome.output, "");
 }
 
+// What a program shows on a terminal of its own.
+std::string on_a_terminal(const std::vector<std::string>& words)
+{
+    std::string command = "'" LAMBENT_PROGRAM "'";
+    for (const std::string& word : words)
+        command += " '" + word + "'";
+    const Outcome outcome = testing::run_program("script", {"-qec", command, "/dev/null"});
+    EXPECT_EQ(outcome.code, 0) << outcome.output << outcome.error;
+    return outcome.output;
+}
+
+TEST(Compare, ATerminalGetsATableAndAPipeJson)
+{
+    const Folder folder;
+    const std::string a = write_light(folder, "a.exr", 1.1f), b = write_light(folder, "b.exr", 1.0f);
+    const std::string table = on_a_terminal({"compare", a, b});
+    EXPECT_EQ(table.find('{'), std::string::npos) << table;
+    // Light from 1 to 40, a tenth more: RMSE .1 sqrt(41 * 81 / 6), the mean 20.5, PSNR 20 log10(40 / RMSE).
+    for (const char* part :
+         {"linear light", "40x20", "RMSE                2.353", "11.48 %", "24.61 dB", "HDR-FLIP"})
+        EXPECT_NE(table.find(part), std::string::npos) << part << " is not in\n" << table;
+    EXPECT_EQ(on_a_terminal({"compare", a, b, "--json"}).rfind("{\"rmse\"", 0), 0u);
+    const std::string equal = on_a_terminal({"compare", a, a});
+    EXPECT_NE(equal.find("the pictures are equal"), std::string::npos) << equal;
+}
+
 TEST(Compare, LightIsMeasuredAsItIs)
 {
     const Folder folder;

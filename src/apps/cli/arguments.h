@@ -74,6 +74,7 @@ struct CompareArguments {
     std::optional<float> exposure; ///< linear light only
     std::optional<float> clamp;    ///< cut to [0, this], after the exposure
     double pixels_per_degree = 67.0;
+    bool json = false;              ///< even on a terminal
     std::optional<double> max_flip; ///< bounds that make it exit 1
     std::optional<double> max_relative;
 };

@@ -1,6 +1,7 @@
 #include "apps/cli/bake_files.h"
 #include "apps/cli/commands.h"
 #include "apps/cli/console.h"
+#include "apps/cli/input_names.h"
 #include "apps/cli/interrupt.h"
 #include "apps/cli/make_filler.h"
 #include "apps/cli/stats.h"
@@ -35,6 +36,7 @@ void turn(environment::Panorama& panorama, double degrees)
 environment::Panorama load(const BakeArguments& arguments, Warnings& warnings)
 {
     const std::string& name = arguments.environment;
+    check_environment_name(name);
     environment::Panorama panorama = environment::is_builtin(name)
                                          ? environment::make_panorama(environment::make_builtin(name))
                                          : environment::load_panorama(name, warnings);

@@ -244,7 +244,7 @@ std::vector<std::string> write_folder(const Baked& baked, const BakeArguments& a
     } catch (const Error& error) {
         throw Error(error.failure(), folder.without_hiding(error.what()));
     }
-    folder.put_in_place(writer.names());
+    folder.put_in_place(writer.names(), InputFiles({arguments.environment}));
     return writer.names();
 }
 
@@ -280,10 +280,12 @@ CutLight cut_light(const Baked& baked, const BakeArguments& arguments)
 
 void check_bake_output(const BakeArguments& arguments)
 {
-    if (arguments.one_file)
+    if (arguments.one_file) {
         check_can_write(arguments.output);
-    else
+        InputFiles({arguments.environment}).keep_from(arguments.output);
+    } else {
         check_can_make_folder(arguments.output);
+    }
 }
 
 std::vector<std::string> write_baked(const Baked& baked, const BakeArguments& arguments,

@@ -32,13 +32,13 @@ struct CutLight {
 };
 CutLight cut_light(const Baked& baked, const BakeArguments& arguments);
 
-/// Throws Error(cannot_write) for what is plain before the work. Makes nothing yet, so that nothing is left of
+/// Throws Error(cannot_write) for what is plain before the work, Error(usage) for the environment's own file. Makes nothing yet, so that nothing is left of
 /// a bake that fails.
 void check_bake_output(const BakeArguments& arguments);
 
 /// Writes everything and returns the files' names. A folder gets its files when all of them are complete;
 /// bake.json comes last. `before_file` is called before each; what it throws, as any other failure, leaves
-/// nothing behind. Throws Error(cannot_write).
+/// nothing behind. Throws Error(cannot_write), and Error(usage) where a file would replace the environment's.
 std::vector<std::string> write_baked(const Baked& baked, const BakeArguments& arguments,
                                      const std::function<void()>& before_file);
 

@@ -1,5 +1,7 @@
 #include "apps/cli/commands.h"
+#include "apps/cli/compare_table.h"
 #include "apps/cli/console.h"
+#include "apps/cli/input_files.h"
 #include "apps/cli/stats.h"
 #include "apps/cli/stopwatch.h"
 #include "apps/cli/threads.h"
@@ -15,6 +17,8 @@
 
 #include <cmath>
 #include <cstdio>
+
+#include <unistd.h>
 
 namespace lambent::cli {
 namespace {
@@ -136,6 +140,7 @@ void check_bounds(const CompareArguments& arguments, const Findings& findings)
 void run(const CompareArguments& arguments)
 {
     check_heat_file(arguments.output);
+    InputFiles({arguments.picture, arguments.reference}).keep_from(arguments.output);
     const ThreadLimit limit(arguments.common.threads);
     Console console(arguments.common.verbosity);
     Stopwatch watch;
@@ -153,7 +158,10 @@ void run(const CompareArguments& arguments)
     Json json = describe(pictures, findings);
     if (arguments.common.stats_json)
         add_cost(watch, json);
-    print(json);
+    if (arguments.json || arguments.common.stats_json || isatty(STDOUT_FILENO) == 0)
+        print(json);
+    else
+        std::fputs(compare_table(json).c_str(), stdout);
     // The result comes first: to be over a bound must not hide that it could not be said.
     if (std::fflush(stdout) != 0)
         throw Error(Failure::cannot_write, "standard output: cannot write");

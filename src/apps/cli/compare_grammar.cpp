@@ -33,6 +33,7 @@ void CompareGrammar::add(CLI::App& app)
            "FLIP: pixels in a degree of the view, 1 to 1000 (67)");
     option(*command_, "--max-flip", max_flip_, "X", "Exit with 1 if the mean FLIP error is above X");
     option(*command_, "--max-rel", max_relative_, "X", "Exit with 1 if the relative RMSE is above X");
+    command_->add_flag("--json", arguments_.json, "One JSON object, on a terminal too");
     add_common(*command_, common_);
 }
 

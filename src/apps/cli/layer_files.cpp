@@ -85,6 +85,17 @@ void make_layer_folder(const std::filesystem::path& folder)
     check_can_write(folder / "depth.exr");
 }
 
+std::vector<std::filesystem::path> layer_files(const std::vector<draw::Layer>& layers,
+                                               const std::filesystem::path& folder)
+{
+    std::vector<std::filesystem::path> files;
+    files.reserve(2 * layers.size());
+    for (const draw::Layer& layer : layers)
+        for (const char* extension : {".exr", ".png"})
+            files.push_back(folder / (layer.name + extension));
+    return files;
+}
+
 void write_layers(const std::vector<draw::Layer>& layers, const std::filesystem::path& folder,
                   const display::Settings& display)
 {

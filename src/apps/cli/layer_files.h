@@ -22,4 +22,8 @@ image::CodeImage layer_picture(const draw::Layer& layer, const display::Settings
 void write_layers(const std::vector<draw::Layer>& layers, const std::filesystem::path& folder,
                   const display::Settings& display);
 
+/// The files that write_layers writes.
+std::vector<std::filesystem::path> layer_files(const std::vector<draw::Layer>& layers,
+                                               const std::filesystem::path& folder);
+
 } // namespace lambent::cli

@@ -1,5 +1,6 @@
 #include "apps/cli/load_environment.h"
 
+#include "apps/cli/input_names.h"
 #include "base/text.h"
 #include "environment/builtin.h"
 #include "environment/environment_cache.h"
@@ -37,6 +38,7 @@ LoadedEnvironment load_environment(const std::string& name, bool cache)
 {
     if (name == "none")
         return {};
+    check_environment_name(name);
     const std::optional<std::filesystem::path> folder = environment::user_cache_folder();
     if (!cache || !folder)
         return loaded(make(name), false);

@@ -95,10 +95,12 @@ std::string NewFolder::without_hiding(std::string message) const
     return message;
 }
 
-void NewFolder::put_in_place(const std::vector<std::string>& names)
+void NewFolder::put_in_place(const std::vector<std::string>& names, const InputFiles& inputs)
 {
-    for (const std::string& name : names)
+    for (const std::string& name : names) {
         check_can_write(folder_ / name);
+        inputs.keep_from(folder_ / name);
+    }
     for (const std::string& name : names) {
         std::error_code error;
         fs::rename(hidden_ / name, folder_ / name, error);

@@ -1,6 +1,8 @@
 // A folder filled as a whole.
 #pragma once
 
+#include "apps/cli/input_files.h"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -26,8 +28,9 @@ public:
     /// A message about a file, with the name that it would have had.
     std::string without_hiding(std::string message) const;
 
-    /// Renames the files into place, over older ones of their names. Throws Error(cannot_write).
-    void put_in_place(const std::vector<std::string>& names);
+    /// Renames the files into place, over older ones of their names. Throws Error(cannot_write), and Error(usage) where
+    /// one would replace one of `inputs`: then none is moved.
+    void put_in_place(const std::vector<std::string>& names, const InputFiles& inputs);
 
 private:
     void discard();

@@ -17,7 +17,7 @@ void add_view(CLI::App& app, RenderArguments& arguments, PictureWords& words)
     option(app, "--target", words.target, "X,Y,Z",
            "The point that --camera, with a distance, is around, metres (the scene's middle)");
     option(app, "--camera-node", arguments.camera_node, "NAME", "A camera of the glTF");
-    option(app, "--fov", words.fov, "DEG", "Vertical field of view (45)");
+    option(app, "--fov", words.fov, "DEG", "Vertical field of view, 0.1 to 175 (45)");
     option(app, "--aa", words.aa, "N", "Samples per pixel where surfaces end (4)");
     option(app, "--animation", words.animation, "NAME|N",
            "An animation of the glTF, or its number from 0 (none; with --moment 0)");

@@ -1,5 +1,6 @@
 #include "apps/cli/picture_setup.h"
 
+#include "apps/cli/input_names.h"
 #include "apps/cli/values.h"
 #include "base/text.h"
 
@@ -42,12 +43,21 @@ view::Orbit default_orbit(const std::string& scene)
     return {radians(30.0), radians(20.0), 0.0f};
 }
 
-scene::Scene load_scene(const RenderArguments& arguments, Warnings& warnings)
+scene::Scene load_scene(const RenderArguments& arguments, Warnings& warnings, InputFiles* inputs)
 {
     if (scene::is_builtin(arguments.scene))
         return scene::make_builtin(arguments.scene, arguments.builtin);
+    check_scene_name(arguments.scene);
     const scene::GltfFile file(arguments.scene, warnings);
+    for (const std::filesystem::path& beside : file.files())
+        if (inputs)
+            inputs->add(beside);
     return file.scene(moment_asked(arguments, file.animations()), warnings);
+}
+
+InputFiles inputs_named(const RenderArguments& arguments)
+{
+    return InputFiles({arguments.scene, arguments.environment});
 }
 
 std::optional<scene::Moment> moment_asked(const RenderArguments& arguments,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "apps/cli/arguments.h"
+#include "apps/cli/input_files.h"
 #include "base/error.h"
 #include "scene/gltf.h"
 #include "scene/scene.h"
@@ -11,8 +12,12 @@
 
 namespace lambent::cli {
 
-/// The built-in scene or the file, at the moment asked for. Throws as scene::load_gltf and moment_asked.
-scene::Scene load_scene(const RenderArguments& arguments, Warnings& warnings);
+/// The built-in scene or the file, at the moment asked for. Throws as scene::load_gltf and moment_asked. The files that
+/// the scene's file names beside it are added to `inputs`, if given.
+scene::Scene load_scene(const RenderArguments& arguments, Warnings& warnings, InputFiles* inputs = nullptr);
+
+/// What the command line itself names: the scene's file and the environment's.
+InputFiles inputs_named(const RenderArguments& arguments);
 
 /// The moment asked for of a file with these animations; none: it stands still. Throws Error(usage), naming them, where
 /// the one asked for is not there.

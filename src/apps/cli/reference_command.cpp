@@ -37,6 +37,15 @@ void check_variance_file(const std::string& path)
     check_can_write(path);
 }
 
+void check_outputs(const ReferenceArguments& arguments, const InputFiles& inputs)
+{
+    inputs.keep_from(arguments.picture.output);
+    if (arguments.variance.empty())
+        return;
+    inputs.keep_from(arguments.variance);
+    check_two_outputs(arguments.picture.output, arguments.variance);
+}
+
 nlohmann::ordered_json describe(const ReferenceArguments& arguments, const scene::Scene& scene,
                                 const reference::Result& result)
 {
@@ -71,12 +80,15 @@ void run(const ReferenceArguments& arguments)
     const RenderArguments& picture = arguments.picture;
     check_picture_file(picture.output);
     check_variance_file(arguments.variance);
+    InputFiles inputs = inputs_named(picture);
+    check_outputs(arguments, inputs);
     const Interrupt interrupt; // from here on, so that what is asked while files load is not lost
     const ThreadLimit limit(picture.common.threads);
     Console console(picture.common.verbosity);
     Stopwatch watch;
     Warnings warnings;
-    const scene::Scene scene = load_scene(picture, warnings);
+    const scene::Scene scene = load_scene(picture, warnings, &inputs);
+    check_outputs(arguments, inputs);
     watch.lap("scene");
     const std::optional<image::RadianceImage> environment =
         load_raw_environment(picture.environment, warnings);

@@ -1,5 +1,6 @@
 #include "apps/cli/reference_setup.h"
 
+#include "apps/cli/input_names.h"
 #include "apps/cli/picture_setup.h"
 #include "environment/builtin.h"
 #include "environment/panorama.h"
@@ -19,6 +20,7 @@ std::optional<image::RadianceImage> load_raw_environment(const std::string& name
         return std::nullopt;
     if (environment::is_builtin(name))
         return environment::make_builtin(name);
+    check_environment_name(name);
     return environment::load_unpacked_panorama(name, warnings);
 }
 

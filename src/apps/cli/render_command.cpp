@@ -33,13 +33,25 @@ nlohmann::ordered_json describe(const RenderArguments& arguments, const scene::S
             {"triangles", scene::triangle_count(scene)}};
 }
 
-void write(const RenderArguments& arguments, const draw::Frame& frame)
+// A layer may neither be an input nor what the picture then replaces.
+void check_layer_files(const std::vector<draw::Layer>& layers, const RenderArguments& arguments,
+                       const InputFiles& inputs)
+{
+    for (const std::filesystem::path& file : layer_files(layers, arguments.layers)) {
+        inputs.keep_from(file);
+        check_two_outputs(arguments.output, file);
+    }
+}
+
+void write(const RenderArguments& arguments, const draw::Frame& frame, const InputFiles& inputs)
 {
     using Kind = draw::Background::Kind;
     const bool transparent = arguments.settings.background.kind == Kind::none;
     // The picture last: where it stands, everything went well.
-    if (!arguments.layers.empty())
+    if (!arguments.layers.empty()) {
+        check_layer_files(frame.layers, arguments, inputs);
         write_layers(frame.layers, arguments.layers, arguments.display);
+    }
     write_picture(frame.radiance, arguments.display, transparent, arguments.output);
 }
 
@@ -48,13 +60,16 @@ void write(const RenderArguments& arguments, const draw::Frame& frame)
 void run(const RenderArguments& arguments)
 {
     check_picture_file(arguments.output);
+    InputFiles inputs = inputs_named(arguments);
+    inputs.keep_from(arguments.output);
     if (!arguments.layers.empty())
         make_layer_folder(arguments.layers);
     const ThreadLimit limit(arguments.common.threads);
     Console console(arguments.common.verbosity);
     Stopwatch watch;
     Warnings warnings;
-    const scene::Scene scene = load_scene(arguments, warnings);
+    const scene::Scene scene = load_scene(arguments, warnings, &inputs);
+    inputs.keep_from(arguments.output);
     watch.lap("scene");
     const LoadedEnvironment loaded = load_environment(arguments.environment, arguments.cache);
     warnings.insert(warnings.end(), loaded.warnings.begin(), loaded.warnings.end());
@@ -72,7 +87,7 @@ void run(const RenderArguments& arguments)
                                              [&](float done) { console.progress(done); });
     console.end_progress();
     watch.lap("draw");
-    write(arguments, frame);
+    write(arguments, frame, inputs);
     watch.lap("write");
     console.remark(text("wrote ", arguments.output));
     if (arguments.common.stats_json) {

@@ -118,7 +118,7 @@ void make_report(const ReportArguments& arguments, const Interrupt& interrupt, C
         write_text(report::to_json(page), folder.path("report.json"));
         write_text(report::to_html(page), folder.path("index.html"));
         files.insert(files.end(), {"report.json", "index.html"});
-        folder.put_in_place(files);
+        folder.put_in_place(files, InputFiles({arguments.environment}));
     } catch (const Error& error) {
         throw Error(error.failure(), folder.without_hiding(error.what()));
     }

@@ -7,7 +7,7 @@
 
 namespace lambent::draw {
 
-/// What is known of a fragment. Every column is a float per fragment; names ending in a, b, c or x, y, z are vectors.
+/// What is known of a fragment. Every column is a float per fragment; names ending in r, g, b or x, y, z are vectors.
 enum Column : std::size_t {
     // from visibility
     place_x,
