@@ -87,7 +87,7 @@ image::RadianceImage read(const fs::path& path, const Header& header, Warnings& 
 {
     if (header.kind == Kind::srgb)
         return read_as_values(path);
-    image::RadianceImage picture = image::read_radiance(path);
+    image::RadianceImage picture = image::read_radiance(path, warnings);
     mend(picture, path, warnings);
     return picture;
 }

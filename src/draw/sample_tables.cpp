@@ -32,6 +32,19 @@ Lobe hammersley(int i, int count)
     return lobe_point(static_cast<double>(i) / count, xi2);
 }
 
+// The first points of a sequence have a middle of their own; moved to none, they leave a mirrored picture where it is.
+void centre(std::vector<SampleTables::Pixel>& points)
+{
+    double x = 0.0, y = 0.0;
+    for (const SampleTables::Pixel& point : points)
+        x += static_cast<double>(point.x), y += static_cast<double>(point.y);
+    const double count = static_cast<double>(points.size());
+    for (SampleTables::Pixel& point : points) {
+        point.x -= static_cast<float>(x / count);
+        point.y -= static_cast<float>(y / count);
+    }
+}
+
 } // namespace
 
 double radical_inverse(unsigned i)
@@ -56,6 +69,7 @@ SampleTables make_sample_tables(int count, LobePoints points)
         tables.pixel.push_back({static_cast<float>(fraction(0.5 + i / plastic) - 0.5),
                                 static_cast<float>(fraction(0.5 + i / (plastic * plastic)) - 0.5)});
     }
+    centre(tables.pixel);
     return tables;
 }
 

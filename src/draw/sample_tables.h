@@ -18,7 +18,7 @@ struct SampleTables {
     };
     std::vector<Cap> cap;     ///< a sunflower spiral: xi2 = (i + 0.4) / (N + 1), xi1 by the golden ratio
     std::vector<Lobe> lobe;   ///< such a spiral, xi2 = (i + 0.5) / N, or the report's Hammersley pairs
-    std::vector<Pixel> pixel; ///< by the powers of the plastic number, independent of `cap`
+    std::vector<Pixel> pixel; ///< by the powers of the plastic number, independent of `cap`, about (0, 0)
 };
 
 /// What `lobe` holds. Hammersley's pairs are (i / N, radical inverse of i in base 2): around a lobe they leave gaps

@@ -47,14 +47,19 @@ void fill_sharp(const Panorama& panorama, image::CubeMap& cube)
 
 // A panorama that is large enough, without a copy if it was before.
 struct Enlarged {
+    const Panorama& given;
     Panorama copy;
     const Panorama& panorama;
 
-    Enlarged(const Panorama& given, int width, int height)
-        : copy(given.width < width || given.height < height ? at_least(given, width, height) : Panorama{}),
-          panorama(copy.width > 0 ? copy : given)
+    Enlarged(const Panorama& from, int width, int height)
+        : given(from),
+          copy(from.width < width || from.height < height ? at_least(from, width, height) : Panorama{}),
+          panorama(copy.width > 0 ? copy : from)
     {
     }
+
+    // What a check has to compare with.
+    TexelMeaning meaning() const { return copy.width > 0 ? TexelMeaning::knots : TexelMeaning::points; }
 };
 
 void check(const BakeOptions& options)
@@ -67,7 +72,7 @@ void check(const BakeOptions& options)
 }
 
 // Of level after level what an error asks for, until a check finds it there.
-void fill_rough_levels(const Panorama& panorama, const BakeOptions& options, BakedSpecular& baked,
+void fill_rough_levels(const Enlarged& large, const BakeOptions& options, BakedSpecular& baked,
                        const std::function<void(double)>& report, const FillFaces& fill)
 {
     std::vector<CheckedLevel> left;
@@ -78,7 +83,7 @@ void fill_rough_levels(const Panorama& panorama, const BakeOptions& options, Bak
     if (left.empty())
         return;
     double fineness = usual_fineness * std::pow(0.01 / options.error, 0.25);
-    const LightTree tree(panorama, finest_extent(left.front().lobe, fineness));
+    const LightTree tree(large.panorama, finest_extent(left.front().lobe, fineness));
     double done = 0.0;
     for (int round = 0; round < most_rounds && !left.empty(); ++round, fineness *= 1.6) {
         std::vector<PrefilteredFaces> faces;
@@ -90,7 +95,7 @@ void fill_rough_levels(const Panorama& panorama, const BakeOptions& options, Bak
             if (report)
                 report(done);
         });
-        const std::vector<double> errors = check_levels(panorama, baked.cube, left);
+        const std::vector<double> errors = check_levels(large.given, large.meaning(), baked.cube, left);
         for (std::size_t i = left.size(); i-- > 0;) {
             baked.levels[static_cast<std::size_t>(left[i].level)].error = errors[i];
             if (errors[i] <= options.error)
@@ -111,7 +116,7 @@ BakedSpecular bake_specular(const Panorama& panorama, const BakeOptions& options
     for (int level = 0; level < levels; ++level)
         baked.levels.push_back({roughness_of(options, level, levels), 0.0});
     fill_sharp(large.panorama, baked.cube);
-    fill_rough_levels(large.panorama, options, baked, report, fill);
+    fill_rough_levels(large, options, baked, report, fill);
     return baked;
 }
 

@@ -33,7 +33,9 @@ struct BakeOptions {
 
 struct BakedLevel {
     double perceptual_roughness = 0.0;
-    double error = 0.0; ///< relative RMSE found, at random texels, against the sum over all texels in double
+    /// Relative RMSE found, at random texels, against the sum over all texels in double; of a panorama below 1024x512, against
+    /// that over the panorama as given, read linearly between its texels.
+    double error = 0.0;
 };
 
 struct BakedSpecular {

@@ -69,7 +69,7 @@ Direction texel_direction(const TexelPlace& place)
                           (2.0 * place.y + 1.0) / place.size - 1.0);
 }
 
-std::vector<double> check_levels(const Panorama& panorama, const image::CubeMap& cube,
+std::vector<double> check_levels(const Panorama& panorama, TexelMeaning meaning, const image::CubeMap& cube,
                                  const std::vector<CheckedLevel>& levels)
 {
     std::mt19937 random(20140601u + static_cast<unsigned>(levels.size()));
@@ -81,7 +81,10 @@ std::vector<double> check_levels(const Panorama& panorama, const image::CubeMap&
             sums.push_back({d.x, d.y, d.z, levels[i].lobe, {}});
             found.push_back(cube.pixel(levels[i].level, c.face, c.x, c.y));
         }
-    sum_texels(panorama, sums);
+    if (meaning == TexelMeaning::points)
+        sum_texels(panorama, sums);
+    else
+        sum_reading(panorama, sums);
     std::vector<double> errors;
     for (std::size_t i = 0; i < levels.size(); ++i) {
         const std::size_t first = 2 * checks_per_part * i;

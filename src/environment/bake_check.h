@@ -15,8 +15,11 @@ struct CheckedLevel {
     PrefilterLobe lobe;
 };
 
+/// What a panorama's texels are: points of light, or what it is read linearly between.
+enum class TexelMeaning { points, knots };
+
 /// The relative RMSE of each level given, at random texels and at random ones near its brightest: whichever is larger.
-std::vector<double> check_levels(const Panorama& panorama, const image::CubeMap& cube,
+std::vector<double> check_levels(const Panorama& panorama, TexelMeaning meaning, const image::CubeMap& cube,
                                  const std::vector<CheckedLevel>& levels);
 
 /// The direction of a texel's middle.

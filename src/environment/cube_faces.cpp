@@ -9,36 +9,35 @@
 namespace lambent::environment {
 namespace {
 
-// Bilinear among the face's own texels: beyond the outermost centres the outermost texel goes on.
-Rgb inner_lookup(const CubeChain& chain, int level, const FacePosition& p)
-{
-    const int size = chain.face_size(level);
-    const double last = size - 1;
-    const double x = std::clamp((p.s * 0.5 + 0.5) * size - 0.5, 0.0, last);
-    const double y = std::clamp((p.t * 0.5 + 0.5) * size - 0.5, 0.0, last);
-    const int x0 = std::min(static_cast<int>(x), std::max(size - 2, 0));
-    const int y0 = std::min(static_cast<int>(y), std::max(size - 2, 0));
-    const int x1 = std::min(x0 + 1, size - 1), y1 = std::min(y0 + 1, size - 1);
-    const double fx = x - x0, fy = y - y0;
-    const auto channel = [&](std::size_t c) {
-        const auto at = [&](int i, int j) {
-            return static_cast<double>(from_half(chain.halfs()[3 * chain.texel(level, p.face, i, j) + c]));
-        };
-        return static_cast<float>((at(x0, y0) * (1 - fx) + at(x1, y0) * fx) * (1 - fy) +
-                                  (at(x0, y1) * (1 - fx) + at(x1, y1) * fx) * fy);
-    };
-    return {channel(0), channel(1), channel(2)};
-}
-
+// Copies to a border texel, but no corner, the one that lies behind the same place of the edge.
 void fill_border_texel(CubeChain& chain, int level, int face, int x, int y)
 {
     const int size = chain.face_size(level);
-    const double s = (2.0 * x + 1.0) / size - 1.0, t = (2.0 * y + 1.0) / size - 1.0;
-    const Rgb c = inner_lookup(chain, level, cube_position(cube_direction(face, s, t)));
-    std::uint16_t* out = chain.halfs() + 3 * chain.texel(level, face, x, y);
-    out[0] = to_half(c.r);
-    out[1] = to_half(c.g);
-    out[2] = to_half(c.b);
+    constexpr double beyond = 1e-6; // of an edge
+    const auto coordinate = [size](int i) {
+        return i < 0 ? -1.0 - beyond : i >= size ? 1.0 + beyond : (2.0 * i + 1.0) / size - 1.0;
+    };
+    const FacePosition p = cube_position(cube_direction(face, coordinate(x), coordinate(y)));
+    const auto texel = [size](double s) {
+        return std::clamp(static_cast<int>((s * 0.5 + 0.5) * size), 0, size - 1);
+    };
+    std::copy_n(chain.halfs() + 3 * chain.texel(level, p.face, texel(p.s), texel(p.t)), 3,
+                chain.halfs() + 3 * chain.texel(level, face, x, y));
+}
+
+// Three faces meet where four texels would: the fourth is their mean. `x`, `y`: -1 or the face's size.
+void fill_corner(CubeChain& chain, int level, int face, int x, int y)
+{
+    const int last = chain.face_size(level) - 1, inner_x = std::clamp(x, 0, last),
+              inner_y = std::clamp(y, 0, last);
+    const std::uint16_t* const halfs = chain.halfs();
+    const std::size_t own = 3 * chain.texel(level, face, inner_x, inner_y),
+                      beside = 3 * chain.texel(level, face, x, inner_y),
+                      above = 3 * chain.texel(level, face, inner_x, y);
+    std::uint16_t* const out = chain.halfs() + 3 * chain.texel(level, face, x, y);
+    for (std::size_t k = 0; k < 3; ++k)
+        out[k] = to_half(
+            (from_half(halfs[own + k]) + from_half(halfs[beside + k]) + from_half(halfs[above + k])) / 3.0f);
 }
 
 } // namespace
@@ -67,13 +66,17 @@ double cube_texel_solid_angle(int size, int x, int y)
 void fill_borders(CubeChain& chain, int level)
 {
     const int size = chain.face_size(level);
-    for (int face = 0; face < 6; ++face)
-        for (int i = -1; i <= size; ++i) {
+    for (int face = 0; face < 6; ++face) {
+        for (int i = 0; i < size; ++i) {
             fill_border_texel(chain, level, face, i, -1);
             fill_border_texel(chain, level, face, i, size);
             fill_border_texel(chain, level, face, -1, i);
             fill_border_texel(chain, level, face, size, i);
         }
+        for (const int x : {-1, size})
+            for (const int y : {-1, size})
+                fill_corner(chain, level, face, x, y);
+    }
 }
 
 } // namespace lambent::environment

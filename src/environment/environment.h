@@ -23,7 +23,7 @@ struct Environment {
 Environment make_environment(Panorama panorama);
 
 /// The panorama and its halvings, exactly 2^k times smaller, down to a height of 1: the report's own mip chain.
-/// The panorama is first enlarged by bilinear interpolation to powers of two if it is not.
+/// The panorama is first enlarged to powers of two, its light kept, if it is not.
 std::vector<Panorama> mip_chain(const Panorama& panorama);
 
 /// The chain of blurs, and the lamps that are not in all its levels.

@@ -160,6 +160,10 @@ std::array<Orders, 9> row_harmonics(double up, double ring)
 
 HarmonicLight project_to_harmonics(const Panorama& panorama)
 {
+    constexpr int least_width = 256,
+                  least_height = 128; // a texel taken for a point is off by the square of its size
+    if (panorama.width < least_width || panorama.height < least_height)
+        return project_to_harmonics(at_least(panorama, least_width, least_height));
     const AzimuthOrders columns = orders_of_columns(panorama.width);
     const auto add = [](HarmonicLight a, const HarmonicLight& b) {
         for (std::size_t k = 0; k < 3; ++k)

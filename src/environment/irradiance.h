@@ -21,7 +21,7 @@ using HarmonicLight = std::array<std::array<double, 9>, 3>;
 /// Faces of `face_size` (a power of two) texels.
 IrradianceMap make_irradiance_map(const Panorama& panorama, int face_size = 32);
 
-/// By the sum over all texels, in double.
+/// By the sum over all texels, in double; panoramas below 256x128 are enlarged to that before.
 HarmonicLight project_to_harmonics(const Panorama& panorama);
 
 } // namespace lambent::environment

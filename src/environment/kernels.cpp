@@ -57,6 +57,22 @@ Real face_coordinate(int first, float inside, int size)
     return x * Real(2.0f / static_cast<float>(size)) - 1.0;
 }
 
+// A vector without its part along the unit vector d, of unit length.
+vec3 beside(vec3 v, vec3 d)
+{
+    return normalize(v - dot(v, d) * d);
+}
+
+// A frame about the unit vector d towards a face: its tangents lie between the face's sides as they are seen from there,
+// so that it is mirrored where the direction is, and all faces' frames are alike.
+mat3 frame_on_face(int face, vec3 d)
+{
+    const vec3 axis = direction_from_cube(face, 0.0, 0.0);
+    const vec3 right = beside(direction_from_cube(face, 1.0, 0.0) - axis, d),
+               down = beside(direction_from_cube(face, 0.0, 1.0) - axis, d);
+    return mat3(normalize(right + down), normalize(right - down), d);
+}
+
 size_t lanes_left(int x, int size)
 {
     return std::min(lane_count, static_cast<size_t>(size - x));
@@ -150,7 +166,7 @@ HWY_FLATTEN void blur_row(const BlurRow& row, CubeChain& chain)
     uint16_t* out = chain.halfs() + 3 * chain.texel(row.level, row.face, 0, row.y);
     for (int x = 0; x < size; x += static_cast<int>(lane_count)) {
         const vec3 d = normalize(direction_from_cube(row.face, face_coordinate(x, 0.5f, size), t));
-        const mat3 frame = orthonormal_frame(d);
+        const mat3 frame = frame_on_face(row.face, d);
         LevelSums sums(source, source_level);
         for (size_t i = 0; i < taps.x.size(); ++i)
             sums.add(frame * vec3(taps.x[i], taps.y[i], taps.z[i]));

@@ -14,6 +14,9 @@ constexpr std::size_t most_lamps = 16;
 // How far from a lamp's middle its light may come, in texels of the first level that is without it.
 constexpr double reach = 1.7;
 
+// Of level 0, which lobes of any width are read at: there lamps are no wider than this asks for, however small the panorama.
+constexpr double widest_texel = 0.025;
+
 double light_of(const Peak& peak)
 {
     return static_cast<double>(peak.light[0]) + static_cast<double>(peak.light[1]) +
@@ -87,7 +90,8 @@ std::vector<Lamp> gathered(std::vector<Peak> peaks, double radius)
 Lamps choose_lamps(const Peaks& peaks, const CubeChain& chain)
 {
     for (int level = 0; level + 1 < chain.levels; ++level) {
-        const double texel = std::numbers::pi / 2.0 / chain.face_size(level + 1);
+        const double next = std::numbers::pi / 2.0 / chain.face_size(level + 1);
+        const double texel = level == 0 ? std::min(next, widest_texel) : next;
         std::vector<Lamp> lamps =
             gathered(merged(peaks.peaks, static_cast<float>(0.5 * texel)), reach * texel);
         if (lamps.size() <= most_lamps)

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 namespace lambent::environment {
 namespace {
@@ -22,7 +23,12 @@ constexpr int least_log2_size = 5, most_log2_size = 10;
 constexpr double lookup_variance = 1.0 / 6.0;
 
 // A level that holds the picture has to be read more densely than one that is blurred already.
-constexpr int first_taps = 40, later_taps = 32;
+constexpr int first_rings = 5, later_rings = 4;
+
+// Rings of equal weight, in standard deviations: those whose mean of Bessel functions J0 is nearest, to 0.01, to the Gaussian's
+// spectrum up to three over its deviation.
+constexpr double four_rings[] = {0.567, 1.130, 1.130, 2.264};
+constexpr double five_rings[] = {0.247, 1.201, 1.201, 1.201, 2.368};
 
 int log2_face_size(int panorama_width)
 {
@@ -90,10 +96,12 @@ std::vector<Range> all_of(int size)
 }
 
 // Where a texel above the limit may be seen.
-std::vector<Range> around(const Peaks& peaks, int size)
+std::vector<Range> around(const Peaks& peaks, const Panorama& panorama, int size)
 {
     std::vector<Range> rows(static_cast<std::size_t>(6 * size), Range{size, 0});
-    const double reach = 3.0 / size;
+    // From the middle of a peak to the end of its texels' bilinear reading, and half a texel of a face.
+    const double texel = std::max(2.0 / panorama.width, 1.0 / panorama.height) * std::numbers::pi;
+    const double reach = 2.0 * texel + 1.5 / size;
     for (const Peak& peak : peaks.peaks)
         for (int face = 0; face < 6; ++face) {
             const TexelBox box = texels_within(peak, reach, face, size);
@@ -119,7 +127,7 @@ double step_deviation(const CubeChain& chain, int level)
 
 void blur_level(int level, CubeChain& chain)
 {
-    const GaussianTaps taps = gaussian_taps(level == 1 ? first_taps : later_taps,
+    const GaussianTaps taps = gaussian_taps(level == 1 ? first_rings : later_rings,
                                             static_cast<float>(step_deviation(chain, level - 1)));
     const int size = chain.face_size(level);
     tbb::parallel_for(0, 6 * size, [&](int index) {
@@ -170,30 +178,30 @@ Blurs build(const Panorama& panorama, Lamps (*apart)(const Peaks&, const CubeCha
         blurs.lamps = apart(peaks, chain);
         const int end = std::min(blurs.lamps.last_level + 1, chain.levels);
         tbb::parallel_for(1, std::max(end, 1), [&](int level) { add_peaks(peaks, level, chain); });
-        resample({&panorama, brightest_of_all, points}, around(peaks, size), chain);
+        resample({&panorama, brightest_of_all, points}, around(peaks, panorama, size), chain);
     }
     return blurs;
 }
 
 } // namespace
 
-GaussianTaps gaussian_taps(int count, float deviation)
+GaussianTaps gaussian_taps(int rings, float deviation)
 {
-    std::vector<double> angles;
+    constexpr int around = GaussianTaps::around;
+    const std::span<const double> radii = rings == 4 ? std::span<const double>(four_rings) : five_rings;
     double mean_square = 0.0;
-    for (int i = 0; i < count; ++i) {
-        angles.push_back(std::sqrt(-2.0 * std::log(1.0 - (i + 0.5) / count)));
-        mean_square += angles.back() * angles.back() / count;
-    }
-    // Taps at the middle of equal shares miss part of the tail; scaled, they have the variance asked for.
+    for (const double radius : radii)
+        mean_square += radius * radius / static_cast<double>(radii.size());
     const double scale = deviation * std::sqrt(2.0 / mean_square);
     GaussianTaps taps;
-    for (int i = 0; i < count; ++i) {
-        const double angle = std::min(angles[static_cast<std::size_t>(i)] * scale, std::numbers::pi);
-        const double phi = 2.0 * std::numbers::pi * i / std::numbers::phi;
-        taps.x.push_back(static_cast<float>(std::sin(angle) * std::cos(phi)));
-        taps.y.push_back(static_cast<float>(std::sin(angle) * std::sin(phi)));
-        taps.z.push_back(static_cast<float>(std::cos(angle)));
+    for (std::size_t ring = 0; ring < radii.size(); ++ring) {
+        const double angle = std::min(radii[ring] * scale, std::numbers::pi);
+        for (int i = 0; i < around; ++i) {
+            const double phi = 2.0 * std::numbers::pi / around * (i + 0.5 * static_cast<double>(ring % 2));
+            taps.x.push_back(static_cast<float>(std::sin(angle) * std::cos(phi)));
+            taps.y.push_back(static_cast<float>(std::sin(angle) * std::sin(phi)));
+            taps.z.push_back(static_cast<float>(std::cos(angle)));
+        }
     }
     return taps;
 }

@@ -94,6 +94,7 @@ double texel_solid_angle(const Panorama& panorama, int y)
 Panorama load_panorama(image::RadianceReader& reader, const std::string& name, Warnings& warnings)
 {
     const int width = reader.width(), height = reader.height();
+    warnings.insert(warnings.end(), reader.warnings().begin(), reader.warnings().end());
     check_shape(width, height, name, warnings);
     Panorama panorama = empty_panorama(width, height);
     Packer packer(panorama);
@@ -113,12 +114,14 @@ Panorama load_panorama(image::RadianceReader& reader, const std::string& name, W
 
 Panorama load_panorama(const std::filesystem::path& path, Warnings& warnings)
 {
-    return load_panorama(*image::open_radiance(path), path.string(), warnings);
+    return load_panorama(*image::open_panorama(path), path.string(), warnings);
 }
 
 image::RadianceImage load_unpacked_panorama(const std::filesystem::path& path, Warnings& warnings)
 {
-    image::RadianceImage panorama = image::read_radiance(path);
+    const std::unique_ptr<image::RadianceReader> reader = image::open_panorama(path);
+    warnings.insert(warnings.end(), reader->warnings().begin(), reader->warnings().end());
+    image::RadianceImage panorama = image::read_all_rows(*reader);
     check_shape(panorama.width, panorama.height, path.string(), warnings);
     BrokenTexels broken;
     broken.blacken(panorama.values, 0);
@@ -159,36 +162,6 @@ Panorama halved(const Panorama& panorama)
         }
     });
     return half;
-}
-
-Panorama resized(const Panorama& from, int width, int height)
-{
-    image::RadianceImage image{width, height, 3, {}};
-    image.values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            const double u = (x + 0.5) * from.width / width - 0.5, v = (y + 0.5) * from.height / height - 0.5;
-            const int x0 = static_cast<int>(std::floor(u)), y0 = static_cast<int>(std::floor(v));
-            const float fx = static_cast<float>(u - x0), fy = static_cast<float>(v - y0);
-            const auto at = [&](int i, int j) {
-                return from.radiance((i + from.width) % from.width, std::clamp(j, 0, from.height - 1));
-            };
-            const Rgb a = at(x0, y0), b = at(x0 + 1, y0), c = at(x0, y0 + 1), d = at(x0 + 1, y0 + 1);
-            const auto blend = [&](float Rgb::*channel) {
-                return (a.*channel * (1 - fx) + b.*channel * fx) * (1 - fy) +
-                       (c.*channel * (1 - fx) + d.*channel * fx) * fy;
-            };
-            float* out = image.pixel(x, y);
-            out[0] = blend(&Rgb::r), out[1] = blend(&Rgb::g), out[2] = blend(&Rgb::b);
-        }
-    return make_panorama(image);
-}
-
-Panorama at_least(const Panorama& panorama, int width, int height)
-{
-    if (panorama.width >= width && panorama.height >= height)
-        return panorama;
-    return resized(panorama, std::max(panorama.width, width), std::max(panorama.height, height));
 }
 
 } // namespace lambent::environment

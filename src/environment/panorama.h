@@ -44,7 +44,8 @@ image::RadianceImage load_unpacked_panorama(const std::filesystem::path& path, W
 /// From light in memory, RGB or RGBA, all values finite and not negative.
 Panorama make_panorama(const image::RadianceImage& image);
 
-/// The same picture at another size, texels by bilinear interpolation.
+/// The same picture at another size: each texel the mean over its solid angle of the picture read linearly between its
+/// columns and image::row_angles(). The light of every texel, radiance times solid angle, is kept.
 Panorama resized(const Panorama& from, int width, int height);
 
 /// Enlarged to that size if it is smaller: a sum over texels takes each for a point.

@@ -18,21 +18,22 @@ namespace lambent::environment {
 namespace {
 
 constexpr double least_over_mean = 16.0;
-constexpr double most_of_all = 1.0 / 200.0;
-constexpr double most_peaks = 3000.0; // what is wider than a few texels needs no help, at any resolution
+constexpr double most_of_all = 1.0 / 128.0; // of the sphere
+constexpr double most_texels =
+    3000.0; // of the horizon's: what is wider than a few needs no help, at any resolution
 
 double largest_channel(const Rgb& c)
 {
     return std::max(c.r, std::max(c.g, c.b));
 }
 
-// How bright the texels are: the sum of their largest channel over the sphere, and a histogram of it, four bins an
-// octave.
+// How bright the texels are: the integral of their largest channel over the sphere, and the solid angle that each
+// quarter of an octave of it fills. (Not how many texels: rows near a pole have as many as any other.)
 struct Brightness {
     static constexpr int bins = 1024;
 
     double integral = 0.0;
-    std::array<std::uint32_t, bins> count = {};
+    std::array<double, bins> solid_angle = {};
 
     static std::size_t bin(float value) { return std::bit_cast<std::uint32_t>(value) >> 21; }
     static float start(std::size_t bin)
@@ -44,8 +45,8 @@ struct Brightness {
 Brightness sum(Brightness a, const Brightness& b)
 {
     a.integral += b.integral;
-    for (std::size_t i = 0; i < a.count.size(); ++i)
-        a.count[i] += b.count[i];
+    for (std::size_t i = 0; i < a.solid_angle.size(); ++i)
+        a.solid_angle[i] += b.solid_angle[i];
     return a;
 }
 
@@ -55,6 +56,7 @@ Brightness measure(const Panorama& panorama, std::vector<float>& brightest)
     const auto add_rows = [&](const tbb::blocked_range<int>& rows, Brightness total) {
         for (int y = rows.begin(); y < rows.end(); ++y) {
             float light = 0.0f, most = 0.0f;
+            std::array<std::uint32_t, Brightness::bins> count = {};
             const std::uint32_t* texels =
                 panorama.texels.data() +
                 static_cast<std::size_t>(y) * static_cast<std::size_t>(panorama.width);
@@ -63,9 +65,12 @@ Brightness measure(const Panorama& panorama, std::vector<float>& brightest)
                 const float value = panorama.scale * std::max(c.r, std::max(c.g, c.b));
                 light += value;
                 most = std::max(most, value);
-                ++total.count[Brightness::bin(value)];
+                ++count[Brightness::bin(value)];
             }
-            total.integral += static_cast<double>(light) * texel_solid_angle(panorama, y);
+            const double texel = texel_solid_angle(panorama, y);
+            total.integral += static_cast<double>(light) * texel;
+            for (std::size_t i = 0; i < count.size(); ++i)
+                total.solid_angle[i] += count[i] * texel;
             brightest[static_cast<std::size_t>(y)] = most;
         }
         return total;
@@ -73,29 +78,67 @@ Brightness measure(const Panorama& panorama, std::vector<float>& brightest)
     return tbb::parallel_reduce(tbb::blocked_range<int>(0, panorama.height, 16), Brightness(), add_rows, sum);
 }
 
-// The least start of a bin that leaves few enough texels above.
-float choose_limit(const Brightness& brightness, std::size_t texels)
+// The least start of a bin that leaves little enough of the sphere above.
+float choose_limit(const Brightness& brightness, double horizon_texel)
 {
     const double mean = brightness.integral / (4.0 * std::numbers::pi);
-    const double most = std::min(most_of_all * static_cast<double>(texels), most_peaks);
+    const double most = std::min(most_of_all * 4.0 * std::numbers::pi, most_texels * horizon_texel);
     const std::size_t least = Brightness::bin(static_cast<float>(least_over_mean * mean)) + 1;
     std::size_t bin = Brightness::bins - 1;
     double above = 0.0;
-    while (bin > least && above + brightness.count[bin] <= most)
-        above += brightness.count[bin--];
+    while (bin > least && above + brightness.solid_angle[bin] <= most)
+        above += brightness.solid_angle[bin--];
     // Of the bin itself some did not fit, or it is the least.
     return Brightness::start(bin < least ? least : bin + (bin > least ? 1 : 0));
 }
 
-Peak cut_off(const Panorama& panorama, int x, int y, double limit)
+// Texels of a row that are together about as wide as high; towards a pole they are many.
+int texels_of_a_peak(const Panorama& panorama, int y)
 {
-    const Rgb c = panorama.radiance(x, y);
-    const double excess = (1.0 - limit / largest_channel(c)) * texel_solid_angle(panorama, y);
-    const in_double::vec3 d =
-        in_double::direction_from_equirectangular({(x + 0.5) / panorama.width, (y + 0.5) / panorama.height});
-    return {{static_cast<float>(d.x), static_cast<float>(d.y), static_cast<float>(d.z)},
-            {static_cast<float>(c.r * excess), static_cast<float>(c.g * excess),
-             static_cast<float>(c.b * excess)}};
+    const double sine = std::sin((y + 0.5) / panorama.height * std::numbers::pi);
+    const double across = panorama.width / (2.0 * panorama.height * sine);
+    return std::clamp(static_cast<int>(across), 1, std::max(panorama.width / 8, 1));
+}
+
+// What texels [first, end) of a row have above the limit, in its middle.
+Peak cut_off(const Panorama& panorama, int y, int first, int end, double limit)
+{
+    const double solid_angle = texel_solid_angle(panorama, y);
+    double light[3] = {}, moment[3] = {};
+    for (int x = first; x < end; ++x) {
+        const Rgb c = panorama.radiance(x, y);
+        const double excess = std::max(1.0 - limit / std::max(largest_channel(c), 1e-300), 0.0) * solid_angle;
+        const in_double::vec3 d = in_double::direction_from_equirectangular(
+            {(x + 0.5) / panorama.width, (y + 0.5) / panorama.height});
+        const double rgb[3] = {c.r * excess, c.g * excess, c.b * excess};
+        const double axes[3] = {d.x, d.y, d.z};
+        for (int k = 0; k < 3; ++k) {
+            light[k] += rgb[k];
+            moment[k] += axes[k] * (rgb[0] + rgb[1] + rgb[2]);
+        }
+    }
+    const double length = std::max(std::hypot(moment[0], moment[1], moment[2]), 1e-300);
+    Peak peak{};
+    for (int k = 0; k < 3; ++k) {
+        peak.direction[k] = static_cast<float>(moment[k] / length);
+        peak.light[k] = static_cast<float>(light[k]);
+    }
+    return peak;
+}
+
+void cut_off_row(const Panorama& panorama, int y, float limit, std::vector<Peak>& peaks)
+{
+    const int step = texels_of_a_peak(panorama, y);
+    for (int x = 0; x < panorama.width; x += step) {
+        const int end = std::min(x + step, panorama.width);
+        float most = 0.0f;
+        for (int i = x; i < end; ++i) {
+            const Rgb c = panorama.radiance(i, y);
+            most = std::max(most, std::max(c.r, std::max(c.g, c.b)));
+        }
+        if (most > limit)
+            peaks.push_back(cut_off(panorama, y, x, end, static_cast<double>(limit)));
+    }
 }
 
 // First and last of the texels.
@@ -177,12 +220,11 @@ Peaks find_peaks(const Panorama& panorama)
     const Brightness brightness = measure(panorama, brightest);
     Peaks result;
     result.brightest = *std::max_element(brightest.begin(), brightest.end());
-    result.limit = choose_limit(brightness, panorama.texels.size());
+    const double step = std::numbers::pi / panorama.height;
+    result.limit = choose_limit(brightness, 2.0 * std::numbers::pi / panorama.width * step);
     for (int y = 0; y < panorama.height; ++y)
         if (brightest[static_cast<std::size_t>(y)] > result.limit)
-            for (int x = 0; x < panorama.width; ++x)
-                if (largest_channel(panorama.radiance(x, y)) > static_cast<double>(result.limit))
-                    result.peaks.push_back(cut_off(panorama, x, y, static_cast<double>(result.limit)));
+            cut_off_row(panorama, y, result.limit, result.peaks);
     return result;
 }
 

@@ -16,12 +16,14 @@ struct Peak {
 };
 
 struct Peaks {
-    float brightest = 0.0f;  ///< largest channel of all texels
-    float limit = 0.0f;      ///< radiance (largest channel) above which texels were cut
-    std::vector<Peak> peaks; ///< what was cut off, one per texel
+    float brightest = 0.0f; ///< largest channel of all texels
+    float limit = 0.0f;     ///< radiance (largest channel) above which texels were cut
+    std::vector<Peak>
+        peaks; ///< what was cut off, one per texel; towards the poles one per as many as are as wide as high
 };
 
-/// What exceeds a limit that leaves at most 1 in 200 of the texels above it, and at least 16 times the mean.
+/// What exceeds a limit of at least 16 times the mean that leaves at most 1/128 of the sphere above it, and at most what 3000
+/// texels fill at the horizon: by solid angle, so that a lamp is taken or not wherever it stands.
 Peaks find_peaks(const Panorama& panorama);
 
 /// Neighbouring peaks merged until each is about `spacing` radians from the next; light and its centroid are kept.

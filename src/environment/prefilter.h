@@ -111,6 +111,10 @@ struct TexelSum {
 };
 void sum_texels(const Panorama& panorama, std::span<TexelSum> sums);
 
+/// The same of a panorama read linearly between its texels (as resized() does, of whose code it uses nothing): by points
+/// between them, so many that they are 1536 or more to a turn.
+void sum_reading(const Panorama& panorama, std::span<TexelSum> sums);
+
 /// Points of light, for the loop of sum_texels: the arrays may be read 8 beyond the last.
 struct LightPoints {
     std::vector<double> x, y, z; ///< direction, about of unit length

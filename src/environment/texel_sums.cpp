@@ -1,7 +1,5 @@
 #include "environment/prefilter.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
+#include "environment/sum_rows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -164,27 +162,11 @@ void LightPoints::resize(std::size_t count)
 
 void sum_texels(const Panorama& panorama, std::span<TexelSum> sums)
 {
-    std::vector<TexelSum> none(sums.begin(), sums.end());
-    for (TexelSum& sum : none)
-        sum.rgb[0] = sum.rgb[1] = sum.rgb[2] = 0.0;
     const BlockRows rows(panorama);
-    const auto add = [&](const tbb::blocked_range<int>& range, std::vector<TexelSum> total) {
-        BlockRows::Work work;
-        for (int row = range.begin(); row < range.end(); ++row)
-            rows.add(row, work, total);
-        return total;
-    };
-    const auto join = [](std::vector<TexelSum> a, const std::vector<TexelSum>& b) {
-        for (std::size_t i = 0; i < a.size(); ++i)
-            for (int k = 0; k < 3; ++k)
-                a[i].rgb[k] += b[i].rgb[k];
-        return a;
-    };
-    const std::vector<TexelSum> all =
-        tbb::parallel_reduce(tbb::blocked_range<int>(0, rows.count(), 32), none, add, join);
-    for (std::size_t i = 0; i < sums.size(); ++i)
-        for (int k = 0; k < 3; ++k)
-            sums[i].rgb[k] = all[i].rgb[k] / sums[i].lobe.integral();
+    sum_rows<BlockRows::Work>(
+        rows.count(),
+        [&](int row, BlockRows::Work& work, std::vector<TexelSum>& total) { rows.add(row, work, total); },
+        sums);
 }
 
 } // namespace lambent::environment

@@ -5,6 +5,7 @@
 #include "image/content.h"
 #include "image/jpeg.h"
 #include "image/openexr.h"
+#include "image/openexr_map.h"
 #include "image/png.h"
 #include "image/radiance_hdr.h"
 #include "image/refuse.h"
@@ -69,22 +70,6 @@ std::unique_ptr<RadianceReader> open_radiance(std::unique_ptr<ByteSource> source
     refuse(source->name(), "is a ", name_of(content), "; light is read from Radiance HDR and OpenEXR");
 }
 
-RadianceImage read_all_rows(const std::unique_ptr<RadianceReader>& reader)
-{
-    RadianceImage image{reader->width(), reader->height(), 3, {}};
-    const std::size_t row = static_cast<std::size_t>(image.width) * 3;
-    image.values.reserve(row * static_cast<std::size_t>(image.height));
-    ask_for_huge_pages(image.values.data(), image.values.capacity() * sizeof(float));
-    // Memory is taken as the rows prove to be there, and while they are still in the cache.
-    const int most = std::max(1, band_pixels / image.width);
-    for (int y = 0; y < image.height; y += most) {
-        const int count = std::min(most, image.height - y);
-        image.values.resize(image.values.size() + row * static_cast<std::size_t>(count));
-        reader->read_rows(count, image.pixel(0, y));
-    }
-    return image;
-}
-
 } // namespace
 
 FileKind file_kind(const std::filesystem::path& path)
@@ -108,14 +93,42 @@ std::unique_ptr<RadianceReader> open_radiance(const std::filesystem::path& path)
     return open_radiance(open_bytes(path));
 }
 
+std::unique_ptr<RadianceReader> open_panorama(const std::filesystem::path& path)
+{
+    return as_equirectangular(open_radiance(path), path.string());
+}
+
+RadianceImage read_all_rows(RadianceReader& reader)
+{
+    RadianceImage image{reader.width(), reader.height(), 3, {}};
+    const std::size_t row = static_cast<std::size_t>(image.width) * 3;
+    image.values.reserve(row * static_cast<std::size_t>(image.height));
+    ask_for_huge_pages(image.values.data(), image.values.capacity() * sizeof(float));
+    // Memory is taken as the rows prove to be there, and while they are still in the cache.
+    const int most = std::max(1, band_pixels / image.width);
+    for (int y = 0; y < image.height; y += most) {
+        const int count = std::min(most, image.height - y);
+        image.values.resize(image.values.size() + row * static_cast<std::size_t>(count));
+        reader.read_rows(count, image.pixel(0, y));
+    }
+    return image;
+}
+
 RadianceImage read_radiance(const std::filesystem::path& path)
 {
-    return read_all_rows(open_radiance(path));
+    return read_all_rows(*open_radiance(path));
+}
+
+RadianceImage read_radiance(const std::filesystem::path& path, Warnings& warnings)
+{
+    const std::unique_ptr<RadianceReader> reader = open_radiance(path);
+    warnings.insert(warnings.end(), reader->warnings().begin(), reader->warnings().end());
+    return read_all_rows(*reader);
 }
 
 RadianceImage decode_radiance(std::span<const std::uint8_t> bytes, const std::string& name)
 {
-    return read_all_rows(open_radiance(open_bytes(bytes, name)));
+    return read_all_rows(*open_radiance(open_bytes(bytes, name)));
 }
 
 CodeImage decode_codes(std::span<const std::uint8_t> bytes, const std::string& name)

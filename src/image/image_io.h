@@ -12,6 +12,9 @@
 
 namespace lambent::image {
 
+/// How an OpenEXR file says that its pixels are directions, in its attribute `envmap`.
+enum class Projection { unknown, latitude_longitude, cube };
+
 /// Row by row access to a Radiance .hdr or OpenEXR file, so that a 16384x8192 panorama never has to exist as
 /// floats. Rows come top to bottom, whatever the order in the file. Values are as stored: NaN and infinity
 /// included.
@@ -21,6 +24,10 @@ public:
 
     int width() const { return width_; }
     int height() const { return height_; }
+    Projection projection() const { return projection_; }
+
+    /// What had to be assumed, for the user to know: whole lines with the file's name.
+    const Warnings& warnings() const { return warnings_; }
 
     /// The next `count` rows as interleaved RGB, width() * count * 3 floats. `count` at most the rows left.
     /// Calls for many rows are spread over threads: ask for 256 at a time where speed matters.
@@ -30,13 +37,23 @@ public:
 protected:
     int width_ = 0;
     int height_ = 0;
+    Projection projection_ = Projection::unknown;
+    Warnings warnings_;
 };
 
 /// Opens a .hdr or .exr by content. Throws Error(bad_input).
 std::unique_ptr<RadianceReader> open_radiance(const std::filesystem::path& path);
 
+/// The same, environment maps of OpenEXR brought to an equirectangular panorama: rows from +Y down, the middle column +X, +Z
+/// a quarter to its right (image/openexr_map.h). Throws Error(bad_input).
+std::unique_ptr<RadianceReader> open_panorama(const std::filesystem::path& path);
+
+/// All rows of a reader that has given none yet.
+RadianceImage read_all_rows(RadianceReader& reader);
+
 /// The whole of a .hdr or .exr as RGB. Throws Error(bad_input).
 RadianceImage read_radiance(const std::filesystem::path& path);
+RadianceImage read_radiance(const std::filesystem::path& path, Warnings& warnings);
 
 /// The same of bytes in memory; `name` is used in messages. Throws Error(bad_input).
 RadianceImage decode_radiance(std::span<const std::uint8_t> bytes, const std::string& name);

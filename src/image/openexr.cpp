@@ -1,156 +1,83 @@
 #include "image/openexr.h"
 
+#include "image/openexr_channels.h"
+#include "image/openexr_rows.h"
 #include "image/openexr_threads.h"
 #include "image/refuse.h"
 
-#include <ImfChannelList.h>
-#include <ImfFrameBuffer.h>
-#include <ImfIO.h>
-#include <ImfInputPart.h>
-#include <ImfMultiPartInputFile.h>
-
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace lambent::image {
 namespace {
 
-constexpr char nameless[] = "it";
-
 // What the library says, without the "Cannot ... image file "it". " before the reason.
 [[noreturn]] void refuse_for(const std::exception& error, const std::string& name)
 {
     const std::string_view line = error.what();
-    const std::string opening = text('"', nameless, "\". ");
+    const std::string opening = text('"', exr_nameless, "\". ");
     const std::size_t at = line.find(opening);
     refuse(name, "not a valid OpenEXR file: ",
            printable(at == std::string_view::npos ? line : line.substr(at + opening.size()), 200));
 }
 
-// A ByteSource as the library wants it, with the checked header in place of the one in the file.
-class ExrStream : public Imf::IStream {
-public:
-    ExrStream(ByteSource& source, std::vector<std::uint8_t> header)
-        : Imf::IStream(nameless), source_(source), header_(std::move(header))
-    {
-    }
+// Pictures that show more than they hold of pixels: this large, or so many times as large, and no larger.
+constexpr std::int64_t modest_pixels = std::int64_t{1} << 25, most_times = 16;
 
-    // Returns whether more can be read, by the library's contract.
-    bool read(char* out, int count) override
-    {
-        auto left = static_cast<std::size_t>(std::max(count, 0));
-        if (at_ < header_.size()) {
-            const std::size_t some = std::min(left, header_.size() - static_cast<std::size_t>(at_));
-            std::memcpy(out, header_.data() + at_, some);
-            at_ += some;
-            out += some;
-            left -= some;
-        }
-        source_.read(at_, out, left);
-        at_ += left;
-        return at_ < source_.size();
-    }
-
-    uint64_t tellg() override { return at_; }
-    void seekg(uint64_t position) override { at_ = position; }
-
-private:
-    ByteSource& source_;
-    std::vector<std::uint8_t> header_;
-    std::uint64_t at_ = 0;
-};
-
-// The channels that make red, green and blue; all three the same for grey.
-using Colour = std::array<std::string, 3>;
-
-bool has_channel(const ExrPart& part, const std::string& name)
+// The display window of a picture; the stored pixels of an environment map, which have the whole of it.
+ExrWindow shown_window(const ExrPart& part, const std::string& name)
 {
-    return std::ranges::find(part.channels, name, &ExrChannel::name) != part.channels.end();
-}
-
-std::optional<Colour> find_colour(const ExrPart& part)
-{
-    const auto in_layer = [&](const std::string& layer) -> std::optional<Colour> {
-        Colour colour = {layer + "R", layer + "G", layer + "B"};
-        const bool all =
-            std::ranges::all_of(colour, [&](const std::string& name) { return has_channel(part, name); });
-        return all ? std::optional(colour) : std::nullopt;
+    const ExrWindow data = part.data_window();
+    if (part.projection != Projection::unknown)
+        return data;
+    const ExrWindow& shown = part.display;
+    check_size(name, shown.width, shown.height);
+    const std::int64_t pixels = std::int64_t{shown.width} * shown.height,
+                       stored = std::int64_t{data.width} * data.height;
+    if (pixels > std::max(modest_pixels, most_times * stored))
+        refuse(name, "its display window of ", shown.width, "x", shown.height, " is far larger than the ",
+               data.width, "x", data.height, " pixels it stores");
+    const auto apart = [](int a, int length, int b, int other) {
+        return std::int64_t{a} + length <= b || std::int64_t{b} + other <= a;
     };
-    if (auto colour = in_layer(""))
-        return colour;
-    for (const ExrChannel& channel : part.channels)
-        if (auto colour = in_layer(channel.name.substr(0, channel.name.rfind('.') + 1)))
-            return colour;
-    const bool chroma = has_channel(part, "RY") || has_channel(part, "BY");
-    return has_channel(part, "Y") && !chroma ? std::optional(Colour{"Y", "Y", "Y"}) : std::nullopt;
-}
-
-struct Choice {
-    int part;
-    Colour colour;
-};
-
-[[noreturn]] void refuse_channels(const ExrHeader& header, const std::string& name)
-{
-    std::string channels;
-    for (const ExrPart& part : header.parts) {
-        if (part.deep)
-            refuse(name, "deep images are not supported");
-        if (has_channel(part, "RY") || has_channel(part, "BY"))
-            refuse(name, "luminance-chroma images (channels Y, RY, BY) are not supported");
-        for (const ExrChannel& channel : part.channels)
-            channels += (channels.empty() ? "" : ", ") + channel.name;
-    }
-    refuse(name, "has no channels R, G and B and no Y; its channels are ", printable(channels));
-}
-
-Choice choose(const ExrHeader& header, const std::string& name)
-{
-    for (std::size_t i = 0; i < header.parts.size(); ++i) {
-        const ExrPart& part = header.parts[i];
-        const auto colour = part.deep ? std::nullopt : find_colour(part);
-        if (!colour)
-            continue;
-        for (const ExrChannel& channel : part.channels)
-            if (std::ranges::count(*colour, channel.name) > 0 &&
-                (channel.x_sampling != 1 || channel.y_sampling != 1))
-                refuse(name, "its channel ", printable(channel.name),
-                       " is subsampled, which is not supported");
-        return {static_cast<int>(i), *colour};
-    }
-    refuse_channels(header, name);
+    if (apart(shown.min_x, shown.width, data.min_x, data.width) ||
+        apart(shown.min_y, shown.height, data.min_y, data.height))
+        refuse(name, "nothing of its data window ", data.width, "x", data.height, " at ", data.min_x, ",",
+               data.min_y, " is within its display window ", shown.width, "x", shown.height, " at ",
+               shown.min_x, ",", shown.min_y);
+    return shown;
 }
 
 class ExrReader : public RadianceReader {
 public:
     ExrReader(std::unique_ptr<ByteSource> source, ExrHeader header)
-        : source_(std::move(source)), choice_(choose(header, source_->name())),
+        : source_(std::move(source)), choice_(choose_channels(header, source_->name())),
           part_(header.parts[static_cast<std::size_t>(choice_.part)]),
-          stream_(*source_, std::move(header.bytes)), file_(stream_, threads(), false),
-          input_(file_, choice_.part)
+          shown_(shown_window(part_, source_->name())), stream_(*source_, std::move(header.bytes)),
+          rows_(open_exr_rows(stream_, choice_, part_, threads()))
     {
-        width_ = part_.width;
-        height_ = part_.height;
+        width_ = shown_.width;
+        height_ = shown_.height;
+        projection_ = part_.projection;
+        for (const std::string& doubt : part_.doubts)
+            warnings_.push_back(text(source_->name(), ": ", doubt));
+        if (part_.primaries)
+            if (const ColourMatrix matrix = *to_rec709(*part_.primaries); !is_identity(matrix))
+                matrix_ = matrix;
     }
 
     void read_rows(int count, float* rgb) override
     try {
-        const auto row_floats = static_cast<std::size_t>(width_) * 3;
-        const int first = part_.min_y + row_;
-        const bool grey = choice_.colour[0] == choice_.colour[1];
-        Imf::FrameBuffer frame;
-        for (std::size_t c = 0; c < (grey ? 1u : 3u); ++c)
-            frame.insert(choice_.colour[c],
-                         Imf::Slice::Make(Imf::FLOAT, rgb + c, {part_.min_x, first}, width_, count,
-                                          3 * sizeof(float), row_floats * sizeof(float)));
-        input_.setFrameBuffer(frame);
-        input_.readPixels(first, first + count - 1);
-        if (grey)
-            for (std::size_t i = 0; i < row_floats * static_cast<std::size_t>(count); i += 3)
-                rgb[i + 1] = rgb[i + 2] = rgb[i];
+        const int first = shown_.min_y + row_;
+        if (shown_ == part_.data_window())
+            rows_->read(first, count, rgb);
+        else
+            read_window(first, count, rgb);
+        if (matrix_)
+            convert({rgb, 3 * static_cast<std::size_t>(width_) * static_cast<std::size_t>(count)});
         row_ += count;
     } catch (const std::bad_alloc&) {
         throw;
@@ -168,12 +95,47 @@ private:
                    : exr_threads(std::int64_t{part_.width} * part_.height, 2 * part_.decoded_chunk_bytes());
     }
 
+    // Black where nothing is stored; what is stored beyond is left out.
+    void read_window(int first, int count, float* rgb)
+    {
+        constexpr int at_once = 64;
+        const auto row_floats = static_cast<std::size_t>(width_) * 3;
+        std::fill_n(rgb, row_floats * static_cast<std::size_t>(count), 0.0f);
+        const int left = std::max(shown_.min_x, part_.min_x);
+        const int right = std::min(shown_.min_x + shown_.width, part_.min_x + part_.width);
+        const int end = std::min(first + count, part_.min_y + part_.height);
+        for (int y = std::max(first, part_.min_y); y < end; y += at_once) {
+            const int some = std::min(at_once, end - y);
+            stored_.resize(static_cast<std::size_t>(part_.width) * 3 * static_cast<std::size_t>(some));
+            rows_->read(y, some, stored_.data());
+            for (int i = 0; i < some; ++i)
+                std::copy_n(stored_.data() +
+                                3 * (static_cast<std::size_t>(i) * static_cast<std::size_t>(part_.width) +
+                                     static_cast<std::size_t>(left - part_.min_x)),
+                            3 * static_cast<std::size_t>(right - left),
+                            rgb + static_cast<std::size_t>(y + i - first) * row_floats +
+                                3 * static_cast<std::size_t>(left - shown_.min_x));
+        }
+    }
+
+    void convert(std::span<float> rgb) const
+    {
+        for (std::size_t i = 0; i < rgb.size(); i += 3) {
+            const double c[3] = {rgb[i], rgb[i + 1], rgb[i + 2]};
+            for (std::size_t k = 0; k < 3; ++k)
+                rgb[i + k] = static_cast<float>((*matrix_)[k][0] * c[0] + (*matrix_)[k][1] * c[1] +
+                                                (*matrix_)[k][2] * c[2]);
+        }
+    }
+
     std::unique_ptr<ByteSource> source_;
-    Choice choice_;
+    ExrChoice choice_;
     ExrPart part_;
+    ExrWindow shown_;
     ExrStream stream_;
-    Imf::MultiPartInputFile file_;
-    Imf::InputPart input_;
+    std::unique_ptr<ExrRows> rows_;
+    std::optional<ColourMatrix> matrix_;
+    std::vector<float> stored_;
     int row_ = 0;
 };
 
@@ -184,8 +146,16 @@ std::string describe(const ExrPart& part)
     for (const ExrChannel& channel : part.channels)
         channels += (channels.empty() ? "" : " ") + channel.name;
     const ExrPixel pixel = part.channels.empty() ? ExrPixel::half : part.channels.front().pixel;
-    return text(pixels[static_cast<std::size_t>(pixel)], " ", printable(channels), ", ",
-                part.compression_name(), part.tiled ? ", tiled" : "");
+    std::string line = text(pixels[static_cast<std::size_t>(pixel)], " ", printable(channels), ", ",
+                            part.compression_name(), part.tiled ? ", tiled" : "");
+    if (part.projection != Projection::unknown)
+        line += part.projection == Projection::cube ? ", cube map" : ", latitude-longitude map";
+    else if (part.display != part.data_window())
+        line += text(", of which ", part.width, "x", part.height, " at ", part.min_x - part.display.min_x,
+                     ",", part.min_y - part.display.min_y, " are stored");
+    if (part.primaries && !is_identity(*to_rec709(*part.primaries)))
+        line += ", other primaries than Rec. 709";
+    return line;
 }
 
 } // namespace
@@ -208,9 +178,10 @@ std::unique_ptr<RadianceReader> open_exr(std::unique_ptr<ByteSource> source)
 ImageInfo inspect_exr(ByteSource& source)
 {
     const ExrHeader header = read_exr_header(source);
-    const Choice choice = choose(header, source.name());
+    const ExrChoice choice = choose_channels(header, source.name());
     const ExrPart& part = header.parts[static_cast<std::size_t>(choice.part)];
-    return {"OpenEXR", describe(part), part.width, part.height};
+    const ExrWindow shown = shown_window(part, source.name());
+    return {"OpenEXR", describe(part), shown.width, shown.height};
 }
 
 } // namespace lambent::image

@@ -12,8 +12,11 @@
 namespace lambent::image {
 
 /// The rows of the first part that has colour: channels R, G, B; else those of the first layer that has all
-/// three; else Y as grey. Half, float and uint, scanlines and tiles (their finest level), every compression.
-/// The data window is the image. Deep and luminance-chroma images and subsampled channels are refused.
+/// three; else luminance-chroma (Y, RY, BY with half the resolution each way, the first part, through half floats); else Y
+/// as grey. Half, float and uint, scanlines and tiles (their finest level), every compression.
+/// The display window is the image: black where the data window has no pixels, and what that has beyond is left out. Of
+/// environment maps (attribute `envmap`) the data window is. Colours are converted to Rec. 709 by the attribute
+/// `chromaticities`; `whiteLuminance` is not applied. Deep images and other subsampled channels are refused.
 /// Rows are decoded in groups (1 to 256 rows, or those of a tile): calls for many rows at once use several
 /// threads. Throws Error(bad_input).
 std::unique_ptr<RadianceReader> open_exr(std::unique_ptr<ByteSource> source);

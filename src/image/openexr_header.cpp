@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstring>
 #include <iterator>
 #include <string_view>
@@ -37,7 +38,11 @@ constexpr Attribute known_attributes[] = {{"channels", "chlist", 0},
                                           {"name", "string", 0},
                                           {"chunkCount", "int", 4},
                                           {"version", "int", 4},
-                                          {"view", "string", 0}};
+                                          {"view", "string", 0},
+                                          {"chromaticities", "chromaticities", 32},
+                                          {"envmap", "envmap", 1}};
+// Of those, that may be ignored where they make no sense.
+constexpr std::string_view optional_attributes[] = {"chromaticities", "envmap"};
 
 // Thrown when the header goes on behind the bytes at hand.
 struct NeedsMore {};
@@ -149,10 +154,38 @@ private:
             unknown_types_.push_back(type_at);
             return;
         }
-        if (type != known->type || (known->size != 0 && size != known->size))
+        const bool sound = type == known->type && (known->size == 0 || size == known->size);
+        const bool optional = std::ranges::count(optional_attributes, name) > 0;
+        if (!sound && !optional)
             refuse(name_, "its attribute ", known->name, " has the wrong type or size");
+        const std::span<std::uint8_t> value = cursor_.take(size);
+        if (optional && !(sound && read_optional(name, value, part))) {
+            part.doubts.push_back(text("its attribute ", known->name, " makes no sense; it is ignored"));
+            unknown_types_.push_back(type_at);
+            return;
+        }
         found_[static_cast<std::size_t>(known - std::begin(known_attributes))] = true;
-        read_attribute(name, cursor_.take(size), part);
+        if (!optional)
+            read_attribute(name, value, part);
+    }
+
+    // Returns false for values without sense.
+    static bool read_optional(std::string_view name, std::span<const std::uint8_t> value, ExrPart& part)
+    {
+        if (name == "envmap") {
+            if (value[0] > 1)
+                return false;
+            part.projection = value[0] == 1 ? Projection::cube : Projection::latitude_longitude;
+            return true;
+        }
+        double c[8];
+        for (std::size_t i = 0; i < 8; ++i)
+            c[i] = std::bit_cast<float>(little_endian(value.data() + 4 * i));
+        part.primaries = {{c[0], c[1]}, {c[2], c[3]}, {c[4], c[5]}, {c[6], c[7]}};
+        if (to_rec709(*part.primaries))
+            return true;
+        part.primaries.reset();
+        return false;
     }
 
     void read_attribute(std::string_view name, std::span<std::uint8_t> value, ExrPart& part)
@@ -162,7 +195,9 @@ private:
         else if (name == "compression")
             part.compression = value[0];
         else if (name == "dataWindow")
-            read_window(value, part);
+            set_data_window(read_window(value, "data"), part);
+        else if (name == "displayWindow")
+            part.display = read_window(value, "display");
         else if (name == "tiles")
             read_tiles(value, part);
         else if (name == "type")
@@ -190,18 +225,24 @@ private:
         refuse(name_, "its list of channels goes beyond its end");
     }
 
-    void read_window(std::span<std::uint8_t> value, ExrPart& part)
+    ExrWindow read_window(std::span<std::uint8_t> value, const char* which) const
     {
         const std::int64_t min_x = signed_at(value.data()), min_y = signed_at(value.data() + 4);
         const std::int64_t max_x = signed_at(value.data() + 8), max_y = signed_at(value.data() + 12);
         check_size(name_, max_x - min_x + 1, max_y - min_y + 1);
         constexpr std::int64_t far = std::int64_t{1} << 28;
         if (min_x < -far || min_y < -far || max_x > far || max_y > far)
-            refuse(name_, "its data window starts at ", min_x, ",", min_y, ", which is too far away");
-        part.min_x = static_cast<int>(min_x);
-        part.min_y = static_cast<int>(min_y);
-        part.width = static_cast<int>(max_x - min_x + 1);
-        part.height = static_cast<int>(max_y - min_y + 1);
+            refuse(name_, "its ", which, " window starts at ", min_x, ",", min_y, ", which is too far away");
+        return {static_cast<int>(min_x), static_cast<int>(min_y), static_cast<int>(max_x - min_x + 1),
+                static_cast<int>(max_y - min_y + 1)};
+    }
+
+    static void set_data_window(const ExrWindow& window, ExrPart& part)
+    {
+        part.min_x = window.min_x;
+        part.min_y = window.min_y;
+        part.width = window.width;
+        part.height = window.height;
     }
 
     void read_tiles(std::span<std::uint8_t> value, ExrPart& part)
@@ -214,7 +255,7 @@ private:
 
     void check_part(ExrPart& part) const
     {
-        for (const std::size_t needed : {0u, 1u, 2u})
+        for (const std::size_t needed : {0u, 1u, 2u, 3u})
             if (!found_[needed])
                 refuse(name_, "its attribute ", known_attributes[needed].name, " is missing");
         if (part.compression >= exr_compressions)
@@ -225,6 +266,12 @@ private:
             multipart ? part.type == "tiledimage" || part.type == "deeptile" : (version_ & flag_tiled) != 0;
         if (part.tiled && part.tile_width == 0)
             refuse(name_, "its tiles have no size");
+        if (part.projection == Projection::cube &&
+            std::int64_t{part.height} != 6 * std::int64_t{part.width}) {
+            part.projection = Projection::unknown;
+            part.doubts.push_back(text("its attribute envmap says cube map, but ", part.width, "x",
+                                       part.height, " is not six faces one below the other; it is ignored"));
+        }
         check_exr_part(part, file_size_, name_);
     }
 

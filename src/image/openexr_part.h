@@ -1,7 +1,11 @@
 // What the header of an OpenEXR file says of one image, and whether that can be true.
 #pragma once
 
+#include "image/image_io.h"
+#include "image/primaries.h"
+
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +20,13 @@ struct ExrChannel {
     int y_sampling = 1;
 };
 
+/// Pixels from (min_x, min_y) on.
+struct ExrWindow {
+    int min_x = 0, min_y = 0, width = 0, height = 0;
+
+    bool operator==(const ExrWindow&) const = default;
+};
+
 struct ExrPart {
     std::string type; ///< empty where a file of one part leaves it out
     int min_x = 0;    ///< the data window: the stored pixels
@@ -28,7 +39,12 @@ struct ExrPart {
     int tile_width = 0;
     int tile_height = 0;
     std::vector<ExrChannel> channels;
+    ExrWindow display; ///< the picture, of which the data window may have too little or too much
+    std::optional<Primaries> primaries;          ///< those that to_rec709() takes
+    Projection projection = Projection::unknown; ///< one that the data window's size allows
+    std::vector<std::string> doubts; ///< attributes that make no sense, each as a line for a warning
 
+    ExrWindow data_window() const { return {min_x, min_y, width, height}; }
     /// Rows that are stored, and so decoded, together.
     int rows_per_chunk() const;
     /// Memory for those rows once decoded, at most.

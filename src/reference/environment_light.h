@@ -11,7 +11,8 @@
 namespace lambent::reference {
 
 /// Light that arrives from infinitely far away, RGB radiance by direction: bilinear between the texels of an
-/// equirectangular picture, columns going round, rows ending at the poles.
+/// equirectangular picture, columns going round, rows ending at the poles and lying at image::row_angles(), so that each
+/// texel gives its radiance times its solid angle, a sun in the zenith too.
 class EnvironmentLight {
 public:
     /// Finite, not negative RGB, at least 2x1; must outlive this. rotation as view::Picture::environment_rotation.
@@ -41,6 +42,12 @@ public:
 private:
     static constexpr int block = 32; ///< columns
 
+    struct Rows {
+        int above, below;
+        double share; ///< of the one below
+    };
+
+    Rows rows_at(double v) const;
     void fill_cells();
     double smoothed_luminance(int x, int y) const;
     double cell_light(int column, int row) const;
@@ -50,8 +57,9 @@ private:
 
     const image::RadianceImage& panorama_;
     double cosine_, sine_;
-    int columns_ = 0, rows_ = 0;   ///< of cells
-    std::vector<double> row_ends_; ///< cumulative, one per row, the last is 1
+    std::vector<double> row_places_; ///< where the picture's rows lie, 0 to 1
+    int columns_ = 0, rows_ = 0;     ///< of cells
+    std::vector<double> row_ends_;   ///< cumulative, one per row, the last is 1
     std::vector<float>
         column_ends_; ///< cumulative within each row, the last is 1; in double they fill the caches
     std::vector<float> block_ends_;    ///< every block-th of them

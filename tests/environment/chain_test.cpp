@@ -1,6 +1,7 @@
 // The chain of blurs against exact Gaussians on the sphere and against the panorama's own light.
 #include "environment/cube_faces.h"
 #include "environment/environment.h"
+#include "environment/kernels.h"
 #include "environment/packed_texel.h"
 #include "tests/environment/test_panoramas.h"
 
@@ -78,6 +79,73 @@ TEST(CubeChain, LevelsDoNotOverlap)
         const std::size_t next = level > 0 ? chain.texel(level - 1, 0, -1, -1) : chain.end();
         EXPECT_LT(last, next);
     }
+}
+
+// A tap set that is off centre moves all light, in each face's own directions.
+TEST(GaussianTaps, AreCentredAndAlikeInAllDirections)
+{
+    for (const int rings : {4, 5})
+        for (const float deviation : {0.001f, 0.1f, 0.6f}) {
+            const GaussianTaps taps = gaussian_taps(rings, deviation);
+            const double count = static_cast<double>(taps.x.size()),
+                         v = std::pow(static_cast<double>(deviation), 2);
+            double x = 0.0, y = 0.0, xx = 0.0, yy = 0.0, xy = 0.0, square = 0.0;
+            for (std::size_t i = 0; i < taps.x.size(); ++i) {
+                const double a = taps.x[i], b = taps.y[i], c = taps.z[i];
+                x += a / count, y += b / count;
+                xx += a * a / count, yy += b * b / count, xy += a * b / count;
+                square += std::pow(std::atan2(std::hypot(a, b), c), 2) / count;
+            }
+            EXPECT_NEAR(x / static_cast<double>(deviation), 0.0, 1e-6);
+            EXPECT_NEAR(y / static_cast<double>(deviation), 0.0, 1e-6);
+            EXPECT_NEAR((xx - yy) / v, 0.0, 1e-6);
+            EXPECT_NEAR(xy / v, 0.0, 1e-6);
+            EXPECT_NEAR(square / v, 2.0, 1e-5); // one variance along each axis
+        }
+}
+
+// At an edge both faces read the same, and at a corner all three.
+TEST(CubeChain, LookupsAreContinuousAcrossEdgesAndCorners)
+{
+    CubeChain chain;
+    chain.allocate(2, 1);
+    const int n = chain.face_size(0);
+    for (int face = 0; face < 6; ++face)
+        for (int y = 0; y < n; ++y)
+            for (int x = 0; x < n; ++x)
+                for (std::size_t k = 0; k < 3; ++k)
+                    chain.halfs()[3 * chain.texel(0, face, x, y) + k] =
+                        to_half(static_cast<float>((37 * face + 11 * x + 5 * y) % 16));
+    fill_borders(chain, 0);
+    const auto bilinear = [&](int face, double s, double t) {
+        const double x = (s * 0.5 + 0.5) * n - 0.5, y = (t * 0.5 + 0.5) * n - 0.5;
+        const int i = static_cast<int>(std::floor(x)), j = static_cast<int>(std::floor(y));
+        const double fx = x - i, fy = y - j;
+        const auto at = [&](int a, int b) { return texel_value(chain, chain.texel(0, face, a, b)); };
+        return (at(i, j) * (1 - fx) + at(i + 1, j) * fx) * (1 - fy) +
+               (at(i, j + 1) * (1 - fx) + at(i + 1, j + 1) * fx) * fy;
+    };
+    int compared = 0;
+    for (int a = 0; a < 6; ++a)
+        for (const double edge : {-1.0, 1.0})
+            for (int i = 0; i <= 40; ++i)
+                for (const bool upright : {false, true}) {
+                    const double along = i / 20.0 - 1.0, s = upright ? edge : along,
+                                 t = upright ? along : edge;
+                    const Direction d = cube_direction(a, s, t);
+                    const double axes[3] = {d.x, d.y, d.z},
+                                 most = std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
+                    for (int b = 0; b < 6; ++b) {
+                        // The faces on which the direction is at the edge, too.
+                        if (b == a || axes[b / 2] * (b % 2 ? -1.0 : 1.0) < most * (1.0 - 1e-9))
+                            continue;
+                        const double u[6][2] = {{-d.z, -d.y}, {d.z, -d.y}, {d.x, d.z},
+                                                {d.x, -d.z},  {d.x, -d.y}, {-d.x, -d.y}};
+                        EXPECT_NEAR(bilinear(a, s, t), bilinear(b, u[b][0] / most, u[b][1] / most), 0.02);
+                        ++compared;
+                    }
+                }
+    EXPECT_GE(compared, 6 * 4 * 41);
 }
 
 TEST(CubeChain, AConstantStaysConstantEverywhere)

@@ -7,10 +7,13 @@
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfOutputFile.h>
+#include <ImfStandardAttributes.h>
 #include <ImfTiledOutputFile.h>
 
 #include <fstream>
+#include <functional>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,18 +42,22 @@ struct ExrRecipe {
     int min_y = 0;
     int tile = 0; ///< side of a tile; 0 for scanlines
     Imf::LevelMode levels = Imf::ONE_LEVEL;
+    std::optional<Imath::Box2i> display = {}; ///< none: the data window
+    std::function<void(Imf::Header&)> attributes = {};
+    std::function<float(int x, int y, std::size_t channel)> value = exr_value;
 };
 
-/// The pixel at (x, y) from the upper left of the data window has exr_value(x, y, channel), cut to an
-/// integer in uint channels.
+/// The pixel at (x, y) from the upper left of the data window has value(x, y, channel), cut to an integer in uint channels.
 inline std::vector<std::uint8_t> make_exr(const ExrRecipe& recipe)
 {
     const TemporaryFolder folder;
     const std::string path = (folder / "made.exr").string();
     const Imath::Box2i window({recipe.min_x, recipe.min_y},
                               {recipe.min_x + recipe.width - 1, recipe.min_y + recipe.height - 1});
-    Imf::Header header(Imath::Box2i({0, 0}, {99, 99}), window, 1, {0, 0}, 1, recipe.order,
+    Imf::Header header(recipe.display.value_or(window), window, 1, {0, 0}, 1, recipe.order,
                        recipe.compression);
+    if (recipe.attributes)
+        recipe.attributes(header);
     const auto count = static_cast<std::size_t>(recipe.width) * static_cast<std::size_t>(recipe.height);
     std::vector<std::vector<std::uint32_t>> memory(recipe.channels.size(), std::vector<std::uint32_t>(count));
     Imf::FrameBuffer frame;
@@ -58,7 +65,7 @@ inline std::vector<std::uint8_t> make_exr(const ExrRecipe& recipe)
         header.channels().insert(recipe.channels[c], Imf::Channel(recipe.type));
         for (std::size_t i = 0; i < count; ++i) {
             const float value =
-                exr_value(static_cast<int>(i) % recipe.width, static_cast<int>(i) / recipe.width, c);
+                recipe.value(static_cast<int>(i) % recipe.width, static_cast<int>(i) / recipe.width, c);
             if (recipe.type == Imf::FLOAT)
                 reinterpret_cast<float&>(memory[c][i]) = value;
             else if (recipe.type == Imf::HALF)

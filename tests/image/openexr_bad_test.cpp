@@ -7,7 +7,6 @@
 #include <ImfDeepScanLineOutputFile.h>
 #include <ImfPartType.h>
 #include <ImfPreviewImage.h>
-#include <ImfRgbaFile.h>
 #include <ImfStandardAttributes.h>
 
 #include <gtest/gtest.h>
@@ -42,15 +41,21 @@ void put(Bytes& bytes, std::size_t at, std::int64_t word)
         bytes[at + i] = static_cast<std::uint8_t>(word >> 8 * i);
 }
 
-Bytes with_window(int min_x, int min_y, std::int64_t max_x, std::int64_t max_y)
+Bytes with_window(int min_x, int min_y, std::int64_t max_x, std::int64_t max_y,
+                  const char* which = "dataWindow")
 {
     Bytes bytes = make_exr({});
-    const std::size_t at = value_of(bytes, "dataWindow", "box2i");
+    const std::size_t at = value_of(bytes, which, "box2i");
     put(bytes, at, min_x);
     put(bytes, at + 4, min_y);
     put(bytes, at + 8, max_x);
     put(bytes, at + 12, max_y);
     return bytes;
+}
+
+Bytes shown_in(int min_x, int min_y, std::int64_t max_x, std::int64_t max_y)
+{
+    return with_window(min_x, min_y, max_x, max_y, "displayWindow");
 }
 
 Bytes with_word(const Bytes& file, const std::string& name, const std::string& type, std::int64_t offset,
@@ -60,19 +65,6 @@ Bytes with_word(const Bytes& file, const std::string& name, const std::string& t
     put(bytes, static_cast<std::size_t>(static_cast<std::int64_t>(value_of(bytes, name, type)) + offset),
         word);
     return bytes;
-}
-
-Bytes luminance_chroma()
-{
-    const TemporaryFolder folder;
-    const std::string path = (folder / "yc.exr").string();
-    {
-        const std::vector<Imf::Rgba> pixels(64);
-        Imf::RgbaOutputFile file(path.c_str(), Imf::Header(8, 8), Imf::WRITE_YC);
-        file.setFrameBuffer(pixels.data(), 1, 8);
-        file.writePixels(8);
-    }
-    return content_of(path);
 }
 
 Bytes deep()
@@ -138,7 +130,12 @@ TEST(OpenExrBad, headers)
              Case{with_word(with_word(tiled, "tiles", "tiledesc", 0, 65536), "tiles", "tiledesc", 4, 4096),
                   "cannot hold"},
              Case{make_exr({.channels = {"A", "Z", "left.R"}}), "A, Z, left.R"},
-             Case{luminance_chroma(), "luminance-chroma"},
+             Case{shown_in(0, 0, 39999, 39999), "above the limit"},
+             Case{shown_in(0, 0, 9999, 9999), "far larger than the 8x8"},
+             Case{shown_in(0, 0, -1, 7), "not positive"},
+             Case{shown_in(-2147483647 - 1, 0, -2147483641, 7), "too far"},
+             Case{shown_in(8, 0, 15, 7), "nothing of its data window"},
+             Case{shown_in(0, -4, 7, -1), "nothing of its data window"},
              Case{deep(), "deep"},
          })
         expect_refused(decode, bad.bytes, bad.reason);

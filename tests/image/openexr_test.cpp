@@ -94,7 +94,7 @@ TEST(OpenExr, rows_stored_from_the_bottom)
     expect_read({.width = 20, .height = 50, .order = Imf::DECREASING_Y, .tile = 8}, in_order);
 }
 
-TEST(OpenExr, the_data_window_is_the_image)
+TEST(OpenExr, windows_that_do_not_start_at_the_origin)
 {
     expect_read({.width = 20, .height = 50, .min_x = -7, .min_y = 1000}, in_order);
     expect_read({.width = 20, .height = 50, .min_x = 13, .min_y = -9, .tile = 16}, in_order);

@@ -1,5 +1,7 @@
 // The environment as a light: what it shines, where it is drawn, and how likely.
 #include "reference/environment_light.h"
+
+#include "image/panorama_rows.h"
 #include "tests/equations/chi_square.h"
 #include "tests/reference/traced.h"
 
@@ -121,21 +123,15 @@ TEST(ReferenceEnvironmentLight, DrawsByItsDensity)
 TEST(ReferenceEnvironmentLight, DrawsTellTheWholeLight)
 {
     for (const image::RadianceImage& image :
-         {uneven(64, 32), uneven(1000, 333), lone_texel(4096, 2048, 0, 500)}) {
+         {uneven(64, 32), uneven(1000, 333), lone_texel(4096, 2048, 0, 500), lone_texel(64, 32, 5, 0),
+          lone_texel(64, 32, 63, 31), lone_texel(9, 5, 3, 1), lone_texel(2, 1, 1, 0)}) {
         const EnvironmentLight light(image, 0.3);
-        // In closed form, row by row: each texel's light is a tent along both axes.
+        // Each texel gives its radiance times its solid angle, in the first and last row too.
         double expected = 0.0;
-        for (int y = 0; y < image.height; ++y) {
-            double row = 0.0;
+        for (int y = 0; y < image.height; ++y)
             for (int x = 0; x < image.width; ++x)
-                row += static_cast<double>(image.pixel(x, y)[0]) * 2.0 * pi / image.width;
-            const double step = pi / image.height, theta = (y + 0.5) * step;
-            const bool edge = y == 0 || y + 1 == image.height;
-            // To the pole the first and last rows go on as they are.
-            const double tent = std::sin(theta) * 2.0 * (1.0 - std::cos(step)) / step;
-            const double inner = std::cos(0.5 * step) - (std::sin(1.5 * step) - std::sin(0.5 * step)) / step;
-            expected += row * (edge ? 1.0 - std::cos(0.5 * step) + inner : tent);
-        }
+                expected +=
+                    static_cast<double>(image.pixel(x, y)[0]) * row_angle(y, image.height, image.width);
         std::mt19937_64 random(9);
         std::uniform_real_distribution<double> uniform;
         constexpr int count = 200000;
@@ -186,6 +182,9 @@ TEST(ReferenceEnvironmentLight, RadianceIsBilinear)
         const float* p = image.pixel((x + width) % width, std::clamp(y, 0, height - 1));
         return glm::dvec3(p[0], p[1], p[2]);
     };
+    std::vector<double> rows; // where they lie, in rows
+    for (const double angle : image::row_angles(height))
+        rows.push_back(angle / pi * height);
     for (const double rotation : {0.0, 0.9, -2.0}) {
         const EnvironmentLight light(image, rotation);
         const auto at = [&](double x, double y) {
@@ -193,12 +192,16 @@ TEST(ReferenceEnvironmentLight, RadianceIsBilinear)
         };
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
-                EXPECT_LT(glm::length(at(x + 0.5, y + 0.5) - texel(x, y)), 1e-6);
-                EXPECT_LT(glm::length(at(x + 0.75, y + 0.5) - 0.75 * texel(x, y) - 0.25 * texel(x + 1, y)),
-                          1e-6);
-                EXPECT_LT(glm::length(at(x + 1e-9, y + 0.5) - 0.5 * (texel(x, y) + texel(x - 1, y))), 1e-5);
-                EXPECT_LT(glm::length(at(x + 0.5, y + 1.0) - 0.5 * (texel(x, y) + texel(x, y + 1))), 1e-6);
+                const double row = rows[static_cast<std::size_t>(y)];
+                EXPECT_LT(glm::length(at(x + 0.5, row) - texel(x, y)), 1e-6);
+                EXPECT_LT(glm::length(at(x + 0.75, row) - 0.75 * texel(x, y) - 0.25 * texel(x + 1, y)), 1e-6);
+                EXPECT_LT(glm::length(at(x + 1e-9, row) - 0.5 * (texel(x, y) + texel(x - 1, y))), 1e-5);
                 EXPECT_LT(glm::length(at(x + 0.5, y < 2 ? 0.1 : 3.9) - texel(x, y < 2 ? 0 : 3)), 1e-6);
+                if (y + 1 == height)
+                    continue;
+                const double between = 0.75 * row + 0.25 * rows[static_cast<std::size_t>(y) + 1];
+                EXPECT_LT(glm::length(at(x + 0.5, between) - 0.75 * texel(x, y) - 0.25 * texel(x, y + 1)),
+                          1e-6);
             }
         const double up = light.radiance({0.0, 1.0, 0.0}).x, down = light.radiance({0.0, -1.0, 0.0}).x;
         EXPECT_TRUE(up >= 1.0 && up <= 50.0) << up;

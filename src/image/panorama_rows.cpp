@@ -1,0 +1,41 @@
+#include "image/panorama_rows.h"
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace lambent::image {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// How far above `angle` the row before is, so that the mean of the cosine between the two is `edge`: that of the angle where
+// their texels meet. Then the rows above that edge give as much light as their texels, and so does each alone.
+double step_up(double angle, double edge, double usual)
+{
+    double step = usual;
+    for (int i = 0; i < 8; ++i) {
+        const double mean = std::cos(angle - 0.5 * step) * std::sin(0.5 * step) / (0.5 * step);
+        step += 2.0 * (edge - mean) / std::sin(angle - 0.5 * step);
+    }
+    return step;
+}
+
+} // namespace
+
+std::vector<double> row_angles(int height)
+{
+    const double row = pi / height;
+    const int middle = height / 2; // of an even number the one below the horizon
+    std::vector<double> angles(static_cast<std::size_t>(height));
+    double angle = height % 2 == 1 ? 0.5 * pi : 0.5 * pi + 0.5 * row;
+    for (int y = middle; y >= 0; --y) {
+        angles[static_cast<std::size_t>(y)] = angle;
+        angles[static_cast<std::size_t>(height - 1 - y)] = pi - angle;
+        if (y > 0)
+            angle -= step_up(angle, std::cos(row * y), row);
+    }
+    return angles;
+}
+
+} // namespace lambent::image
