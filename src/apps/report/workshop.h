@@ -18,10 +18,10 @@ namespace lambent::report {
 
 struct WorkshopSettings {
     std::string environment = "kitchen";
-    Words size, rotation;         ///< options for every shot; none: what `render` takes
-    bool cache = true;            ///< of environments
-    double noise = 0.02;          ///< of references: stop at this estimated relative error,
-    int samples = 48;             ///< or at so many samples per pixel
+    Words size, rotation; ///< options for every shot; none: what `render` takes
+    bool cache = true;    ///< of environments
+    double noise = 0.02;  ///< of references: stop at this estimated relative error of what surfaces cover,
+    int samples = 48;     ///< or at so many samples per pixel, 2 or more
     std::filesystem::path folder; ///< to be filled with files
     std::function<void(double)>
         progress; ///< told the seconds of work that a thing was reckoned to take, when done
@@ -34,7 +34,7 @@ constexpr float light_cut = 1.0f;
 /// Light so cut.
 image::RadianceImage cut_light(image::RadianceImage light);
 
-/// The estimated error of a reference, its light cut, relative to its mean.
+/// The estimated error of a reference over all its pixels, its light cut, relative to its mean.
 double cut_noise(const reference::Result& exact);
 
 /// A picture beside its path-traced reference, both cut.
