@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lambent::reference {
 
@@ -37,6 +38,7 @@ void Film::Totals::add(const Totals& more)
 {
     error += more.error;
     mean += more.mean;
+    squares += more.squares;
     pixels += more.pixels;
 }
 
@@ -44,6 +46,12 @@ void Film::Totals::add(const Totals& more)
 double Film::Totals::relative_error() const
 {
     return mean > 0.0 ? std::sqrt(3.0 * pixels * error) / mean : 0.0;
+}
+
+// The number of pixels of equal noise that would be as many: the participation ratio.
+bool Film::Totals::is_known() const
+{
+    return !(error > 0.0) || error * error >= least_pixels * squares;
 }
 
 void Film::finish(int tile, int count)
@@ -54,12 +62,14 @@ void Film::finish(int tile, int count)
     for (int y = a.y; y < a.y + a.height; ++y)
         for (int x = a.x; x < a.x + a.width; ++x) {
             const Pixel& p = pixels_[index(x, y)];
-            Totals sum{0.0, 0.0, 1};
+            Totals sum;
+            sum.pixels = 1;
             for (const Sums& sums : p.sums) {
                 const Estimate e = estimate(sums, count, cut_);
                 sum.error += e.cut_error;
                 sum.mean += e.cut_mean;
             }
+            sum.squares = sum.error * sum.error;
             t.all.add(sum);
             if (p.coverage > 0.0f)
                 t.covered.add(sum);
@@ -72,16 +82,34 @@ double Film::tile_variance(int tile) const
     return all.error / (3.0 * all.pixels);
 }
 
+Film::Both Film::totals() const
+{
+    Both both;
+    for (const Tile& tile : tiles_) {
+        both.all.add(tile.all);
+        both.covered.add(tile.covered);
+    }
+    if (both.covered.pixels == 0)
+        both.covered = both.all;
+    return both;
+}
+
 std::optional<Noise> Film::noise() const
 {
     if (fewest_samples() < 2)
         return std::nullopt;
-    Totals all, covered;
-    for (const Tile& tile : tiles_) {
-        all.add(tile.all);
-        covered.add(tile.covered);
-    }
-    return Noise{all.relative_error(), (covered.pixels > 0 ? covered : all).relative_error()};
+    const Both both = totals();
+    if (!both.all.is_known() || !both.covered.is_known())
+        return std::nullopt;
+    return Noise{both.all.relative_error(), both.covered.relative_error()};
+}
+
+double Film::noise_at_most() const
+{
+    if (fewest_samples() < 2)
+        return std::numeric_limits<double>::infinity();
+    const Totals covered = totals().covered;
+    return covered.is_known() ? covered.relative_error() : 2.0 * covered.relative_error();
 }
 
 double Film::mean_samples() const

@@ -23,6 +23,10 @@ class Film {
 public:
     static constexpr int tile_size = 16;
 
+    /// So many pixels as noisy as each other are together off what they are expected to be by sqrt(2 / n) of the square,
+    /// one standard deviation: an eighth of its root.
+    static constexpr double least_pixels = 30.0;
+
     /// `cut`: values above it count as this, in what is said of noise. Throws std::bad_alloc.
     Film(int width, int height, double cut);
 
@@ -44,8 +48,13 @@ public:
     /// Mean over a tile's pixels and channels of the expected square of what the cut value is off; needs two samples.
     double tile_variance(int tile) const;
 
-    /// Nothing until every pixel has two samples: one tells no variance.
+    /// Nothing until every pixel has two samples: one tells no variance. Nothing either where less than about
+    /// `least_pixels` hold all the noise, as a lamp of one pixel does: what so few are off is a matter of chance.
     std::optional<Noise> noise() const;
+
+    /// What noise().covered is at most, surely enough to stop by it: where few pixels hold the noise, twice their
+    /// estimate; infinite before every pixel has two samples.
+    double noise_at_most() const;
 
     /// Samples per pixel, averaged, and of the tile that has fewest.
     double mean_samples() const;
@@ -64,16 +73,22 @@ private:
     // Over some pixels and all channels.
     struct Totals {
         double error = 0.0, mean = 0.0; ///< of cut values; the error squared
+        double squares = 0.0;           ///< of the pixels' squared errors
         int pixels = 0;
 
         void add(const Totals& more);
         double relative_error() const;
+        bool is_known() const;
     };
     struct Tile {
         int samples = 0;
         Totals all, covered;
     };
 
+    struct Both {
+        Totals all, covered; ///< `covered` is all pixels where none is covered
+    };
+    Both totals() const;
     std::size_t index(int x, int y) const;
     template <class Visit>
     void for_each_pixel(Visit&& visit) const;

@@ -146,7 +146,7 @@ bool Tracer::reached_limit() const
     if (!wanted_.empty())
         return false;
     return samples_ >= settings_.samples ||
-           (settings_.noise > 0.0 && noise_ && samples_ >= settled && noise_->covered <= settings_.noise);
+           (settings_.noise > 0.0 && samples_ >= settled && film_.noise_at_most() <= settings_.noise);
 }
 
 // One sample everywhere, quickly: from then on there is a picture. Then what tells the variance, then ever more.

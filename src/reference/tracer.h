@@ -36,7 +36,7 @@ struct Settings : view::Picture {
 
 struct Progress {
     double done = 0.0;          ///< of the way to the first limit, 0 to 1
-    std::optional<Noise> noise; ///< as of the last round, once each pixel had two samples
+    std::optional<Noise> noise; ///< as of the last round, where it is known: see Film::noise
     double samples = 0.0;       ///< per pixel, likewise
     double seconds_left = 0.0;
 };
@@ -44,7 +44,7 @@ struct Progress {
 struct Result {
     image::RadianceImage radiance; ///< RGBA before exposure and tone curve; alpha is coverage by surfaces
     image::RadianceImage variance; ///< RGB: of each value of `radiance`, not cut; infinite after one sample
-    std::optional<Noise> noise;    ///< not known before each pixel has two samples
+    std::optional<Noise> noise;    ///< where it is known: see Film::noise
     double samples = 0.0;          ///< per pixel, on average
     std::uint64_t broken = 0;      ///< samples that were no number and count as black
     bool stopped = false;          ///< by `go_on`

@@ -159,6 +159,27 @@ TEST(ReferenceFilm, WithoutSurfacesAllPixelsCount)
     EXPECT_NEAR(film.noise().value().covered, 0.5, 1e-12);
 }
 
+// Independent samples of 0 and 2 in `noisy` pixels, the others 1.
+Film noisy_pixels(int noisy)
+{
+    Film film(16, 16, not_cut);
+    for (int i = 0; i < 2; ++i)
+        for (int pixel = 0; pixel < 256; ++pixel)
+            film.add(pixel % 16, pixel / 16, i, {glm::dvec3(pixel < noisy ? 2.0 * i : 1.0), 1.0});
+    film.finish(0, 2);
+    return film;
+}
+
+TEST(ReferenceFilm, NothingIsClaimedOfAFewPixelsThatHoldAllNoise)
+{
+    EXPECT_EQ(noisy_pixels(0).noise().value().all, 0.0);
+    EXPECT_FALSE(noisy_pixels(1).noise().has_value());
+    EXPECT_FALSE(noisy_pixels(29).noise().has_value());
+    EXPECT_NEAR(noisy_pixels(30).noise().value().all, std::sqrt(30.0 / 256.0), 1e-12);
+    EXPECT_NEAR(noisy_pixels(29).noise_at_most(), 2.0 * std::sqrt(29.0 / 256.0), 1e-12);
+    EXPECT_NEAR(noisy_pixels(31).noise_at_most(), std::sqrt(31.0 / 256.0), 1e-12);
+}
+
 // One tile of many with one sample: what it hides is not known.
 TEST(ReferenceFilm, NothingIsClaimedBeforeEveryPixelHasTwoSamples)
 {
@@ -171,6 +192,7 @@ TEST(ReferenceFilm, NothingIsClaimedBeforeEveryPixelHasTwoSamples)
     film.finish(0, 1);
     film.finish(1, 2);
     EXPECT_FALSE(film.noise().has_value());
+    EXPECT_TRUE(std::isinf(film.noise_at_most()));
     EXPECT_EQ(film.fewest_samples(), 1);
     EXPECT_EQ(film.mean_samples(), 1.5);
 }

@@ -70,7 +70,7 @@ Warnings warnings_of(const reference::Result& result)
     if (result.stopped)
         warnings.push_back(text("stopped early, at ", result.samples, " samples per pixel",
                                 result.noise ? text(" and ", percent(result.noise->covered), " of noise")
-                                             : std::string(", too few to tell the noise")));
+                                             : std::string(" and unknown noise")));
     if (result.broken > 0)
         warnings.push_back(text(result.broken, " samples are not finite and count as black"));
     return warnings;

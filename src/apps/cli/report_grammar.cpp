@@ -45,7 +45,7 @@ ReportArguments ReportGrammar::result() const
     if (!noise_.empty())
         arguments.noise = static_cast<double>(number_in(noise_, "--noise", 1e-4, 1.0));
     if (!samples_.empty())
-        arguments.samples = whole_in(samples_, "--spp", 2, 1 << 20);
+        arguments.samples = whole_in(samples_, "--spp", 1, 1 << 20);
     if (!backend_.empty())
         choose<bool>(backend_, "--backend", {{"auto", true}, {"cpu", true}});
     return arguments;

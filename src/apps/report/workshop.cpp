@@ -53,9 +53,14 @@ image::RadianceImage cut_light(image::RadianceImage light)
 }
 
 // References are traced at exposure 1, where their noise is that of light cut at `light_cut`.
-double cut_noise(const reference::Result& exact)
+std::optional<double> cut_noise(const reference::Result& exact)
 {
-    return exact.noise.value().all;
+    return exact.noise ? std::optional(exact.noise->all) : std::nullopt;
+}
+
+double without_noise(double error, const std::optional<double>& noise)
+{
+    return noise ? std::sqrt(std::max(0.0, error * error - *noise * *noise)) : error;
 }
 
 // A scene and its renderer, which refers to it.
@@ -64,11 +69,6 @@ struct Workshop::Stage {
     scene::Scene scene;
     std::unique_ptr<draw::Renderer> renderer;
 };
-
-double Proof::beyond_noise() const
-{
-    return std::sqrt(std::max(0.0, error * error - noise * noise));
-}
 
 Workshop::Workshop(WorkshopSettings settings) : settings_(std::move(settings)) {}
 
