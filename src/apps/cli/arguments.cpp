@@ -12,10 +12,8 @@
 #include "base/error.h"
 #include "base/text.h"
 
-#include <CLI/CLI.hpp>
-
-#include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -23,15 +21,21 @@
 namespace lambent::cli {
 namespace {
 
-// Words as given; CLI11 fills these, and an empty one was not given.
+// Words as given; the parsing fills these, and an empty one was not given.
 struct Words : CommonWords {
     std::string size, sun, turbidity;
     std::string bounces, spp, noise, time, seed;
 };
 
-void add_output(CLI::App& app, std::string& output, const std::string& help)
+const char* const about =
+    "Physically based and image based lighting: pictures of models under the light of real places.";
+const char* const footer =
+    "SCENE: a .gltf or .glb file, or sphere, teapot, plane, report, painted, grid, furnace.\n"
+    "'lambent COMMAND --help' lists a command's options.";
+
+void add_output(Command& app, std::string& output, const std::string& help)
 {
-    app.add_option("-o,--output", output, help)->type_name("FILE")->required();
+    app.add_required("-o,--output", output, "FILE", help);
 }
 
 ReferenceArguments finished(const Words& words, ReferenceArguments arguments)
@@ -77,9 +81,7 @@ EnvArguments finished(const Words& words, EnvArguments arguments)
 
 // The whole grammar, and where its words go.
 struct Grammar {
-    CLI::App app{
-        "Physically based and image based lighting: pictures of models under the light of real places.",
-        "lambent"};
+    CommandLine line{{"lambent", about, text("lambent ", version), footer}};
     Words words;
     PictureGrammar picture; ///< of render, or of reference
     std::string output, layers;
@@ -91,49 +93,41 @@ struct Grammar {
     ReportGrammar report;
     ViewGrammar view;
     ServeGrammar serve;
-    CLI::App* render_command = nullptr;
-    CLI::App* reference_command = nullptr;
-    CLI::App* env_command = nullptr;
-    CLI::App* info_command = nullptr;
+    Command render_command, reference_command, env_command, info_command;
 
     /// Of all commands; for `render` of that alone, as viewers ask for it many times a second.
     explicit Grammar(std::string_view command)
     {
-        app.set_version_flag("--version", text("lambent ", version));
-        app.require_subcommand(1);
-        app.footer("SCENE: a .gltf or .glb file, or sphere, teapot, plane, report, painted, grid, furnace.\n"
-                   "'lambent COMMAND --help' lists a command's options.");
-        if (command == "render")
-            add_render();
-        else
-            add_all();
+        Command app = line.program();
+        add_render(app);
+        if (command != "render")
+            add_others(app);
     }
 
-    void add_all()
+    void add_others(Command& app)
     {
-        add_render();
         bake.add(app);
-        add_reference();
+        add_reference(app);
         compare.add(app);
         report.add(app);
         view.add(app);
         serve.add(app);
-        add_env();
-        add_info();
+        add_env(app);
+        add_info(app);
     }
 
-    void add_render()
+    void add_render(Command& app)
     {
         render_command = app.add_subcommand("render", "Draw a picture of a scene");
-        add_picture(*render_command);
-        option(*render_command, "--layers", layers, "DIR",
+        add_picture(render_command);
+        option(render_command, "--layers", layers, "DIR",
                "Also write each layer of the G-buffer and of the light");
     }
 
-    void add_reference()
+    void add_reference(Command& app)
     {
         reference_command = app.add_subcommand("reference", "The same picture, path-traced");
-        CLI::App& command = *reference_command;
+        Command& command = reference_command;
         add_picture(command);
         option(command, "--bounces", words.bounces, "N",
                "Bounces of light; 0: direct light without shadows, 1: with shadows (8)");
@@ -148,7 +142,7 @@ struct Grammar {
                          "As many samples for every pixel; so with --spp alone");
     }
 
-    void add_picture(CLI::App& command)
+    void add_picture(Command& command)
     {
         picture.add(command);
         add_output(command, output, "The picture: .png .jpg (as displayed), .exr .hdr (linear radiance)");
@@ -162,13 +156,11 @@ struct Grammar {
         return arguments;
     }
 
-    void add_env()
+    void add_env(Command& app)
     {
         env_command = app.add_subcommand("env", "Write a built-in environment");
-        CLI::App& command = *env_command;
-        command.add_option("name", env.name, "kitchen, studio, sky or furnace")
-            ->type_name("NAME")
-            ->required();
+        Command& command = env_command;
+        command.add_required("name", env.name, "NAME", "kitchen, studio, sky or furnace");
         add_output(command, env.output, "The panorama: .hdr or .exr");
         option(command, "--size", words.size, "WxH",
                "Size in texels, twice as wide as high (1024x512; kitchen 2048x1024)");
@@ -178,22 +170,20 @@ struct Grammar {
         add_common(command, words);
     }
 
-    void add_info()
+    void add_info(Command& app)
     {
         info_command = app.add_subcommand("info", "Say what is in a glTF or an image");
-        CLI::App& command = *info_command;
-        command.add_option("file", info.file, "A .gltf, .glb, .hdr, .exr, .png or .jpg")
-            ->type_name("FILE")
-            ->required();
+        Command& command = info_command;
+        command.add_required("file", info.file, "FILE", "A .gltf, .glb, .hdr, .exr, .png or .jpg");
         command.add_flag("--json", info.json, "As one JSON object");
         add_common(command, words);
     }
 
     Arguments result()
     {
-        if (render_command->parsed())
+        if (render_command.parsed())
             return picture_result();
-        if (reference_command->parsed()) {
+        if (reference_command.parsed()) {
             reference.picture = picture_result();
             return finished(words, reference);
         }
@@ -207,25 +197,12 @@ struct Grammar {
             return view.result();
         if (serve.parsed())
             return serve.result();
-        if (env_command->parsed())
+        if (env_command.parsed())
             return finished(words, env);
         info.common = common_options(words);
         return info;
     }
 };
-
-bool knows_command(const CLI::App& app, std::string_view name)
-{
-    const std::vector<const CLI::App*> commands = app.get_subcommands(nullptr);
-    return std::any_of(commands.begin(), commands.end(),
-                       [name](const CLI::App* command) { return command->check_name(std::string(name)); });
-}
-
-// The first line of a message, for CLI11's may be long.
-std::string first_line(const std::string& message)
-{
-    return message.substr(0, message.find('\n'));
-}
 
 } // namespace
 
@@ -234,20 +211,8 @@ Arguments parse_arguments(int count, const char* const* words)
     if (count < 2)
         throw Error(Failure::usage, "no command given; lambent --help lists them");
     Grammar grammar(words[1]);
-    try {
-        grammar.app.parse(count, words);
-    } catch (const CLI::CallForHelp&) {
-        return PrintText{grammar.app.help()};
-    } catch (const CLI::CallForAllHelp&) {
-        return PrintText{grammar.app.help("", CLI::AppFormatMode::All)};
-    } catch (const CLI::CallForVersion&) {
-        return PrintText{text("lambent ", version, "\n")};
-    } catch (const CLI::ParseError& error) {
-        if (count > 1 && words[1][0] != '-' && !knows_command(grammar.app, words[1]))
-            throw Error(Failure::usage,
-                        text("there is no command '", words[1], "'; lambent --help lists them"));
-        throw Error(Failure::usage, first_line(error.what()));
-    }
+    if (const std::optional<std::string> asked_for = grammar.line.parse(count, words))
+        return PrintText{*asked_for};
     return grammar.result();
 }
 

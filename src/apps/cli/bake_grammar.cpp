@@ -46,25 +46,19 @@ double error_of_samples(int samples)
 
 } // namespace
 
-void BakeGrammar::add(CLI::App& app)
+void BakeGrammar::add(Command& app)
 {
     command_ = app.add_subcommand("bake", "Prefilter an environment for other renderers");
-    command_
-        ->add_option("env", arguments_.environment,
-                     "A panorama (.hdr, .exr), or kitchen, studio, sky, furnace")
-        ->type_name("ENV")
-        ->required();
-    command_
-        ->add_option("-o,--output", arguments_.output,
-                     "A folder for everything, or the specular cube's FILE.ktx2 or .dds")
-        ->type_name("PATH")
-        ->required();
-    add_light(*command_);
-    add_files(*command_);
-    add_common(*command_, common_);
+    command_.add_required("env", arguments_.environment, "ENV",
+                          "A panorama (.hdr, .exr), or kitchen, studio, sky, furnace");
+    command_.add_required("-o,--output", arguments_.output, "PATH",
+                          "A folder for everything, or the specular cube's FILE.ktx2 or .dds");
+    add_light(command_);
+    add_files(command_);
+    add_common(command_, common_);
 }
 
-void BakeGrammar::add_light(CLI::App& command)
+void BakeGrammar::add_light(Command& command)
 {
     option(command, "--size", size_, "N",
            "Texels along an edge of the specular cube, a power of two to 4096 (256)");
@@ -81,7 +75,7 @@ void BakeGrammar::add_light(CLI::App& command)
     command.add_flag("--no-cache", no_cache_, "vulkan: neither read nor write compiled shaders");
 }
 
-void BakeGrammar::add_files(CLI::App& command)
+void BakeGrammar::add_files(Command& command)
 {
     option(command, "--format", format_, "FORMAT", "In a folder: ktx2, dds, exr or hdr (ktx2)");
     option(command, "--texels", texels_, "TYPE", "ktx2, dds: half, float or rgb9e5 (half)");

@@ -6,27 +6,27 @@
 
 namespace lambent::cli {
 
-/// Must outlive the parsing: CLI11 fills its members.
+/// Must outlive the parsing, which fills its members.
 class BakeGrammar {
 public:
     /// Adds the command.
-    void add(CLI::App& app);
+    void add(Command& app);
 
-    bool parsed() const { return command_->parsed(); }
+    bool parsed() const { return command_.parsed(); }
 
     /// Throws Error(usage).
     BakeArguments result() const;
 
 private:
-    void add_light(CLI::App& command);
-    void add_files(CLI::App& command);
+    void add_light(Command& command);
+    void add_files(Command& command);
     void apply_light(BakeArguments& arguments) const;
     void apply_error(environment::BakeOptions& options) const;
     void apply_files(BakeArguments& arguments) const;
     void apply_pictures(BakeArguments& arguments) const;
     void apply_texels(BakeArguments& arguments) const;
 
-    CLI::App* command_ = nullptr;
+    Command command_;
     CommonWords common_;
     BakeArguments arguments_;
     std::string size_, irradiance_, specular_, error_, samples_, table_, roughness_, rotation_, backend_;

@@ -15,26 +15,23 @@ double bound(const std::string& word, const std::string& option)
 
 } // namespace
 
-void CompareGrammar::add(CLI::App& app)
+void CompareGrammar::add(Command& app)
 {
     command_ = app.add_subcommand("compare", "Say how far a picture is from another");
-    command_->add_option("image", arguments_.picture, "A .png, .jpg, .exr or .hdr")
-        ->type_name("IMAGE")
-        ->required();
-    command_->add_option("reference", arguments_.reference, "What it should be: of the same size and kind")
-        ->type_name("REFERENCE")
-        ->required();
-    option(*command_, "-o,--output", arguments_.output, "FILE",
+    command_.add_required("image", arguments_.picture, "IMAGE", "A .png, .jpg, .exr or .hdr");
+    command_.add_required("reference", arguments_.reference, "REFERENCE",
+                          "What it should be: of the same size and kind");
+    option(command_, "-o,--output", arguments_.output, "FILE",
            "A map of the error with a legend: .png or .jpg");
-    option(*command_, "--heat", heat_, "ERROR", "What it shows: flip, relative or absolute (flip)");
-    option(*command_, "--exposure", exposure_, "E", "Factor on both, linear light only (1)");
-    option(*command_, "--clamp", clamp_, "X", "Cut both to [0, X], after the exposure");
-    option(*command_, "--ppd", pixels_per_degree_, "P",
+    option(command_, "--heat", heat_, "ERROR", "What it shows: flip, relative or absolute (flip)");
+    option(command_, "--exposure", exposure_, "E", "Factor on both, linear light only (1)");
+    option(command_, "--clamp", clamp_, "X", "Cut both to [0, X], after the exposure");
+    option(command_, "--ppd", pixels_per_degree_, "P",
            "FLIP: pixels in a degree of the view, 1 to 1000 (67)");
-    option(*command_, "--max-flip", max_flip_, "X", "Exit with 1 if the mean FLIP error is above X");
-    option(*command_, "--max-rel", max_relative_, "X", "Exit with 1 if the relative RMSE is above X");
-    command_->add_flag("--json", arguments_.json, "One JSON object, on a terminal too");
-    add_common(*command_, common_);
+    option(command_, "--max-flip", max_flip_, "X", "Exit with 1 if the mean FLIP error is above X");
+    option(command_, "--max-rel", max_relative_, "X", "Exit with 1 if the relative RMSE is above X");
+    command_.add_flag("--json", arguments_.json, "One JSON object, on a terminal too");
+    add_common(command_, common_);
 }
 
 CompareArguments CompareGrammar::result() const

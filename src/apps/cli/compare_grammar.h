@@ -6,19 +6,19 @@
 
 namespace lambent::cli {
 
-/// Must outlive the parsing: CLI11 fills its members.
+/// Must outlive the parsing, which fills its members.
 class CompareGrammar {
 public:
     /// Adds the command.
-    void add(CLI::App& app);
+    void add(Command& app);
 
-    bool parsed() const { return command_->parsed(); }
+    bool parsed() const { return command_.parsed(); }
 
     /// Throws Error(usage).
     CompareArguments result() const;
 
 private:
-    CLI::App* command_ = nullptr;
+    Command command_;
     CommonWords common_;
     CompareArguments arguments_;
     std::string heat_, exposure_, clamp_, pixels_per_degree_, max_flip_, max_relative_;

@@ -29,17 +29,13 @@ int whole_in(const std::string& word, const std::string& option, int least, int 
     return static_cast<int>(value);
 }
 
-void option(CLI::App& app, const std::string& name, std::string& word, const std::string& kind,
+void option(Command& app, const std::string& name, std::string& word, const std::string& kind,
             const std::string& help)
 {
-    const auto not_empty = [](const std::string& given) { return given.empty() ? "nothing given" : ""; };
-    app.add_option(name, word, help)
-        ->type_name(kind)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
-        ->check(not_empty);
+    app.add_option(name, word, kind, help);
 }
 
-void add_common(CLI::App& app, CommonWords& words)
+void add_common(Command& app, CommonWords& words)
 {
     option(app, "--threads", words.threads, "N", "Worker threads (one per processor)");
     option(app, "--stats", words.stats, "json",

@@ -2,10 +2,9 @@
 #pragma once
 
 #include "apps/cli/arguments.h"
+#include "apps/cli/command_line.h"
 #include "base/error.h"
 #include "base/text.h"
-
-#include <CLI/CLI.hpp>
 
 #include <initializer_list>
 #include <string>
@@ -13,7 +12,7 @@
 
 namespace lambent::cli {
 
-/// The words of the options that every command has. CLI11 fills them, and an empty one was not given.
+/// The words of the options that every command has. The parsing fills them, and an empty one was not given.
 struct CommonWords {
     std::string threads, stats;
     bool quiet = false, verbose = false;
@@ -46,11 +45,11 @@ float positive(const std::string& word, const std::string& option);
 int whole_in(const std::string& word, const std::string& option, int least, int most);
 
 /// Adds an option with one word, of which the last counts. The help names its `kind`.
-void option(CLI::App& app, const std::string& name, std::string& word, const std::string& kind,
+void option(Command& app, const std::string& name, std::string& word, const std::string& kind,
             const std::string& help);
 
 /// Adds --threads, --stats, --quiet and --verbose.
-void add_common(CLI::App& app, CommonWords& words);
+void add_common(Command& app, CommonWords& words);
 
 /// What they say. Throws Error(usage).
 CommonOptions common_options(const CommonWords& words);

@@ -9,7 +9,7 @@
 namespace lambent::cli {
 namespace {
 
-void add_view(CLI::App& app, RenderArguments& arguments, PictureWords& words)
+void add_view(Command& app, RenderArguments& arguments, PictureWords& words)
 {
     option(app, "--size", words.size, "WxH", "Picture size in pixels (1280x720)");
     option(app, "--camera", words.camera, "AZ,EL[,DIST]",
@@ -24,18 +24,14 @@ void add_view(CLI::App& app, RenderArguments& arguments, PictureWords& words)
     option(app, "--moment", words.moment, "S", "Seconds from its start, at most its duration (0)");
 }
 
-void add_light(CLI::App& app, RenderArguments& arguments, PictureWords& words)
+void add_light(Command& app, RenderArguments& arguments, PictureWords& words)
 {
     option(app, "--env", arguments.environment, "ENV",
            "A panorama (.hdr, .exr), or kitchen, studio, sky, furnace, none (kitchen)");
     option(app, "--env-rotation", words.rotation, "DEG", "Turn the environment about the vertical (0)");
     option(app, "--background", words.background, "KIND", "env, none, R,G,B or blur:ROUGHNESS (env)");
-    app.add_option("--light", words.lights,
-                   "directional:AZ,EL,R,G,B (lux) or point:X,Y,Z,R,G,B (candela); repeatable")
-        ->type_name("LIGHT")
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-        ->expected(1)
-        ->allow_extra_args(false);
+    app.add_repeated("--light", words.lights, "LIGHT",
+                     "directional:AZ,EL,R,G,B (lux) or point:X,Y,Z,R,G,B (candela); repeatable");
     option(app, "--ambient-brightness", words.ambient, "B",
            "Factor on diffuse environment light (1; the report's is 2)");
     option(app, "--ibl", words.ibl, "METHOD",
@@ -44,7 +40,7 @@ void add_light(CLI::App& app, RenderArguments& arguments, PictureWords& words)
     app.add_flag("--no-cache", words.no_cache, "Neither read nor write the environment cache");
 }
 
-void add_material(CLI::App& app, PictureWords& words)
+void add_material(Command& app, PictureWords& words)
 {
     option(app, "--model", words.model, "MODEL", "ggx, as glTF, or phong, as the report (ggx)");
     option(app, "--roughness", words.roughness, "R",
@@ -60,7 +56,7 @@ void add_material(CLI::App& app, PictureWords& words)
                  "ggx: leave out light scattered more than once");
 }
 
-void add_display(CLI::App& app, RenderArguments& arguments, PictureWords& words)
+void add_display(Command& app, RenderArguments& arguments, PictureWords& words)
 {
     option(app, "--exposure", words.exposure, "E", "Factor on the light before the tone curve (1)");
     option(app, "--contrast", words.contrast, "K", "Power on the curve's result (1)");
@@ -220,11 +216,9 @@ std::vector<std::pair<std::string, std::string>> PictureWords::given() const
     return all;
 }
 
-void PictureGrammar::add(CLI::App& command)
+void PictureGrammar::add(Command& command)
 {
-    command.add_option("scene", arguments_.scene, "A .gltf or .glb, or a built-in scene")
-        ->type_name("SCENE")
-        ->required();
+    command.add_required("scene", arguments_.scene, "SCENE", "A .gltf or .glb, or a built-in scene");
     add_light(command, arguments_, words_);
     add_view(command, arguments_, words_);
     add_material(command, words_);

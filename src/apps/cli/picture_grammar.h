@@ -10,7 +10,7 @@
 
 namespace lambent::cli {
 
-/// Words as given; CLI11 fills these, and an empty one was not given.
+/// Words as given; the parsing fills these, and an empty one was not given.
 struct PictureWords : CommonWords {
     std::string size, camera, target, fov, aa, animation, moment;
     std::string rotation, background, ambient, ibl, samples;
@@ -24,11 +24,11 @@ struct PictureWords : CommonWords {
     std::vector<std::pair<std::string, std::string>> given() const;
 };
 
-/// Must outlive the parsing: CLI11 fills its members.
+/// Must outlive the parsing, which fills its members.
 class PictureGrammar {
 public:
     /// Adds the scene and the options to a command.
-    void add(CLI::App& command);
+    void add(Command& command);
 
     /// Without an output. Throws Error(usage).
     RenderArguments result() const;

@@ -4,22 +4,21 @@
 
 namespace lambent::cli {
 
-void ReportGrammar::add(CLI::App& app)
+void ReportGrammar::add(Command& app)
 {
     command_ = app.add_subcommand("report", "Draw the 2014 report's figures and more, as one page");
-    command_->add_option("-o,--output", arguments_.output, "The folder: index.html, report.json and pictures")
-        ->type_name("DIR")
-        ->required();
-    option(*command_, "--env", arguments_.environment, "ENV",
+    command_.add_required("-o,--output", arguments_.output, "DIR",
+                          "The folder: index.html, report.json and pictures");
+    option(command_, "--env", arguments_.environment, "ENV",
            "A panorama (.hdr, .exr), or kitchen, studio, sky, furnace (kitchen)");
-    option(*command_, "--env-rotation", rotation_, "DEG", "Turn the environment about the vertical (0)");
-    option(*command_, "--size", size_, "WxH", "Size of a figure in pixels (512x288)");
-    command_->add_flag("--quick", arguments_.quick, "No references, no errors");
-    option(*command_, "--noise", noise_, "REL", "References stop at this estimated relative error (0.02)");
-    option(*command_, "--spp", samples_, "N", "References stop at N samples per pixel (48)");
-    command_->add_flag("--no-cache", no_cache_, "Neither read nor write the environment cache");
-    option(*command_, "--backend", backend_, "NAME", "auto or cpu (auto)");
-    add_common(*command_, common_);
+    option(command_, "--env-rotation", rotation_, "DEG", "Turn the environment about the vertical (0)");
+    option(command_, "--size", size_, "WxH", "Size of a figure in pixels (512x288)");
+    command_.add_flag("--quick", arguments_.quick, "No references, no errors");
+    option(command_, "--noise", noise_, "REL", "References stop at this estimated relative error (0.02)");
+    option(command_, "--spp", samples_, "N", "References stop at N samples per pixel (48)");
+    command_.add_flag("--no-cache", no_cache_, "Neither read nor write the environment cache");
+    option(command_, "--backend", backend_, "NAME", "auto or cpu (auto)");
+    add_common(command_, common_);
 }
 
 ReportArguments ReportGrammar::result() const

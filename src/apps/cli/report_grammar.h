@@ -6,19 +6,19 @@
 
 namespace lambent::cli {
 
-/// Must outlive the parsing: CLI11 fills its members.
+/// Must outlive the parsing, which fills its members.
 class ReportGrammar {
 public:
     /// Adds the command.
-    void add(CLI::App& app);
+    void add(Command& app);
 
-    bool parsed() const { return command_->parsed(); }
+    bool parsed() const { return command_.parsed(); }
 
     /// Throws Error(usage).
     ReportArguments result() const;
 
 private:
-    CLI::App* command_ = nullptr;
+    Command command_;
     CommonWords common_;
     ReportArguments arguments_;
     std::string size_, rotation_, noise_, samples_, backend_;

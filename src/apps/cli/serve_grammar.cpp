@@ -2,15 +2,15 @@
 
 namespace lambent::cli {
 
-void ServeGrammar::add(CLI::App& app)
+void ServeGrammar::add(Command& app)
 {
     command_ = app.add_subcommand("serve", "Show a scene in browsers, to be turned and lit");
-    picture_.add(*command_);
-    option(*command_, "--port", port_, "P", "The port to listen at; 0: any that is free (8080)");
-    option(*command_, "--host", arguments_.host, "ADDR", "The address to listen at (127.0.0.1)");
-    option(*command_, "--token", arguments_.token, "T",
+    picture_.add(command_);
+    option(command_, "--port", port_, "P", "The port to listen at; 0: any that is free (8080)");
+    option(command_, "--host", arguments_.host, "ADDR", "The address to listen at (127.0.0.1)");
+    option(command_, "--token", arguments_.token, "T",
            "What viewers must know; needed where others than this machine can come in");
-    option(*command_, "--sessions", sessions_, "N", "Viewers at once (8)");
+    option(command_, "--sessions", sessions_, "N", "Viewers at once (8)");
 }
 
 ServeArguments ServeGrammar::result() const

@@ -5,19 +5,19 @@
 
 namespace lambent::cli {
 
-/// Must outlive the parsing: CLI11 fills its members.
+/// Must outlive the parsing, which fills its members.
 class ViewGrammar {
 public:
     /// Adds the command.
-    void add(CLI::App& app);
+    void add(Command& app);
 
-    bool parsed() const { return command_->parsed(); }
+    bool parsed() const { return command_.parsed(); }
 
     /// Throws Error(usage).
     ViewArguments result() const { return {picture_.start()}; }
 
 private:
-    CLI::App* command_ = nullptr;
+    Command command_;
     PictureGrammar picture_;
 };
 
