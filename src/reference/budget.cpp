@@ -1,6 +1,9 @@
 #include "reference/budget.h"
 
+#include "reference/sampler.h"
+
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace lambent::reference {
@@ -34,6 +37,25 @@ std::vector<int> share_samples(std::span<const TileState> tiles, double total, i
         samples.push_back(tiles[i].samples + (more + step / 2) / step * step);
     }
     return samples;
+}
+
+// The first 2^(a + b) points lie one in each cell of a grid of 2^a x 2^b.
+std::vector<int> scattered_tiles(int columns, int rows)
+{
+    const int across = std::bit_width(static_cast<std::uint32_t>(columns - 1)),
+              down = std::bit_width(static_cast<std::uint32_t>(rows - 1));
+    const auto cell = [](std::uint32_t fraction, int bits) {
+        return static_cast<int>(std::uint64_t{fraction} >> (32 - bits));
+    };
+    std::vector<int> order;
+    order.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+    for (std::uint32_t i = 0; i < 1u << (across + down); ++i) {
+        const std::array<std::uint32_t, 4> point = sobol(i);
+        const int x = cell(point[0], across), y = cell(point[1], down);
+        if (x < columns && y < rows)
+            order.push_back(y * columns + x);
+    }
+    return order;
 }
 
 } // namespace lambent::reference

@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lambent::reference {
 
-Film::Film(int width, int height)
+Film::Film(int width, int height, double cut)
     : width_(width), height_(height), columns_((width + tile_size - 1) / tile_size),
-      rows_((height + tile_size - 1) / tile_size)
+      rows_((height + tile_size - 1) / tile_size), cut_(cut)
 {
     pixels_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-    samples_.resize(static_cast<std::size_t>(tile_count()), 0);
+    tiles_.resize(static_cast<std::size_t>(tile_count()));
 }
 
 Film::Area Film::area(int tile) const
@@ -19,52 +20,113 @@ Film::Area Film::area(int tile) const
     return {x, y, std::min(tile_size, width_ - x), std::min(tile_size, height_ - y)};
 }
 
-const Film::Pixel& Film::pixel(int x, int y) const
+std::size_t Film::index(int x, int y) const
 {
-    return pixels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                   static_cast<std::size_t>(x)];
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
 }
 
-void Film::add(int x, int y, int index, const Sight& sight)
+void Film::add(int x, int y, int number, const Sight& sight)
 {
-    Pixel& p =
-        pixels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
-    float* const sums = p.sums[index % replicates];
+    Pixel& p = pixels_[index(x, y)];
     for (int c = 0; c < 3; ++c)
-        sums[c] += static_cast<float>(sight.radiance[c]);
+        p.sums[static_cast<std::size_t>(c)][static_cast<std::size_t>(number % replicates)] +=
+            static_cast<float>(sight.radiance[c]);
     p.coverage += static_cast<float>(sight.coverage);
 }
 
-Film::Estimate Film::estimate(const Pixel& pixel, int samples) const
+void Film::Totals::add(const Totals& more)
 {
-    Estimate e{};
-    const int used = std::min(samples, replicates);
-    for (int c = 0; c < 3; ++c) {
-        double sum = 0.0, squares = 0.0, total = 0.0;
-        for (int r = 0; r < used; ++r) {
-            const int count = (samples - r + replicates - 1) / replicates;
-            const double all = static_cast<double>(pixel.sums[r][c]), mean = all / count;
-            total += all;
-            sum += mean;
-            squares += mean * mean;
+    error += more.error;
+    mean += more.mean;
+    squares += more.squares;
+    pixels += more.pixels;
+}
+
+// Three values a pixel.
+double Film::Totals::relative_error() const
+{
+    return mean > 0.0 ? std::sqrt(3.0 * pixels * error) / mean : 0.0;
+}
+
+// The number of pixels of equal noise that would be as many: the participation ratio.
+bool Film::Totals::is_known() const
+{
+    return !(error > 0.0) || error * error >= least_pixels * squares;
+}
+
+void Film::finish(int tile, int count)
+{
+    Tile& t = tiles_[static_cast<std::size_t>(tile)];
+    t = {count, {}, {}};
+    const Area a = area(tile);
+    for (int y = a.y; y < a.y + a.height; ++y)
+        for (int x = a.x; x < a.x + a.width; ++x) {
+            const Pixel& p = pixels_[index(x, y)];
+            Totals sum;
+            sum.pixels = 1;
+            for (const Sums& sums : p.sums) {
+                const Estimate e = estimate(sums, count, cut_);
+                sum.error += e.cut_error;
+                sum.mean += e.cut_mean;
+            }
+            sum.squares = sum.error * sum.error;
+            t.all.add(sum);
+            if (p.coverage > 0.0f)
+                t.covered.add(sum);
         }
-        e.mean[c] = samples > 0 ? total / samples : 0.0;
-        if (used > 1)
-            e.variance[c] = std::max(squares - sum * sum / used, 0.0) / (used * (used - 1.0));
-    }
-    return e;
 }
 
 double Film::tile_variance(int tile) const
 {
-    const Area a = area(tile);
+    const Totals& all = tiles_[static_cast<std::size_t>(tile)].all;
+    return all.error / (3.0 * all.pixels);
+}
+
+Film::Both Film::totals() const
+{
+    Both both;
+    for (const Tile& tile : tiles_) {
+        both.all.add(tile.all);
+        both.covered.add(tile.covered);
+    }
+    if (both.covered.pixels == 0)
+        both.covered = both.all;
+    return both;
+}
+
+std::optional<Noise> Film::noise() const
+{
+    if (fewest_samples() < 2)
+        return std::nullopt;
+    const Both both = totals();
+    if (!both.all.is_known() || !both.covered.is_known())
+        return std::nullopt;
+    return Noise{both.all.relative_error(), both.covered.relative_error()};
+}
+
+double Film::noise_at_most() const
+{
+    if (fewest_samples() < 2)
+        return std::numeric_limits<double>::infinity();
+    const Totals covered = totals().covered;
+    return covered.is_known() ? covered.relative_error() : 2.0 * covered.relative_error();
+}
+
+double Film::mean_samples() const
+{
     double sum = 0.0;
-    for (int y = a.y; y < a.y + a.height; ++y)
-        for (int x = a.x; x < a.x + a.width; ++x) {
-            const Estimate e = estimate(pixel(x, y), samples(tile));
-            sum += e.variance[0] + e.variance[1] + e.variance[2];
-        }
-    return sum / (3.0 * a.width * a.height);
+    for (int tile = 0; tile < tile_count(); ++tile) {
+        const Area a = area(tile);
+        sum += static_cast<double>(samples(tile)) * a.width * a.height;
+    }
+    return sum / (static_cast<double>(width_) * height_);
+}
+
+int Film::fewest_samples() const
+{
+    return std::min_element(tiles_.begin(), tiles_.end(),
+                            [](const Tile& a, const Tile& b) { return a.samples < b.samples; })
+        ->samples;
 }
 
 template <class Visit>
@@ -74,29 +136,8 @@ void Film::for_each_pixel(Visit&& visit) const
         const Area a = area(tile);
         for (int y = a.y; y < a.y + a.height; ++y)
             for (int x = a.x; x < a.x + a.width; ++x)
-                visit(x, y, samples(tile));
+                visit(x, y, std::max(samples(tile), 1));
     }
-}
-
-double Film::relative_noise() const
-{
-    double variance = 0.0, mean = 0.0;
-    for_each_pixel([&](int x, int y, int samples) {
-        const Estimate e = estimate(pixel(x, y), samples);
-        for (int c = 0; c < 3; ++c) {
-            variance += e.variance[c];
-            mean += e.mean[c];
-        }
-    });
-    const double values = 3.0 * width_ * height_;
-    return mean > 0.0 ? std::sqrt(variance / values) / (mean / values) : 0.0;
-}
-
-double Film::mean_samples() const
-{
-    double sum = 0.0;
-    for_each_pixel([&](int, int, int samples) { sum += samples; });
-    return sum / (static_cast<double>(width_) * height_);
 }
 
 image::RadianceImage Film::radiance() const
@@ -104,10 +145,10 @@ image::RadianceImage Film::radiance() const
     image::RadianceImage image{width_, height_, 4, {}};
     image.values.resize(pixels_.size() * 4);
     for_each_pixel([&](int x, int y, int samples) {
-        const Estimate e = estimate(pixel(x, y), samples);
-        for (int c = 0; c < 3; ++c)
-            image.pixel(x, y)[c] = static_cast<float>(e.mean[c]);
-        image.pixel(x, y)[3] = pixel(x, y).coverage / static_cast<float>(std::max(samples, 1));
+        const Pixel& p = pixels_[index(x, y)];
+        for (std::size_t c = 0; c < 3; ++c)
+            image.pixel(x, y)[c] = static_cast<float>(estimate(p.sums[c], samples, cut_).mean);
+        image.pixel(x, y)[3] = p.coverage / static_cast<float>(samples);
     });
     return image;
 }
@@ -117,9 +158,9 @@ image::RadianceImage Film::variance() const
     image::RadianceImage image{width_, height_, 3, {}};
     image.values.resize(pixels_.size() * 3);
     for_each_pixel([&](int x, int y, int samples) {
-        const Estimate e = estimate(pixel(x, y), samples);
-        for (int c = 0; c < 3; ++c)
-            image.pixel(x, y)[c] = static_cast<float>(e.variance[c]);
+        for (std::size_t c = 0; c < 3; ++c)
+            image.pixel(x, y)[c] =
+                static_cast<float>(estimate(pixels_[index(x, y)].sums[c], samples, cut_).variance);
     });
     return image;
 }

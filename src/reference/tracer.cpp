@@ -18,7 +18,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Each round makes this many samples for one there is.
+// Each pixel's first rounds double its samples up to here: only then is the noise known well enough to stop by it and to
+// share samples. After that each round makes this many for one there is.
+constexpr int settled = 2 * replicates;
 constexpr double growth = 1.5;
 
 class Tracer {
@@ -27,13 +29,14 @@ public:
         : world_(world), settings_(settings),
           lens_(settings.panorama_from ? Lens(*settings.panorama_from, settings.width, settings.height)
                                        : Lens(settings.camera, settings.width, settings.height)),
-          film_(settings.width, settings.height)
+          film_(settings.width, settings.height, settings.cut),
+          order_(scattered_tiles(film_.columns(), film_.rows()))
     {
     }
 
     /// As Tracing's.
     bool advance(const GoOn& go_on, Least least);
-    bool has_picture() const { return samples_ >= 1.0; }
+    bool has(Least least) const { return fewest_ >= static_cast<int>(least); }
 
     Result result() const
     {
@@ -53,11 +56,13 @@ private:
     const Settings& settings_;
     Lens lens_;
     Film film_;
+    const std::vector<int> order_; ///< of the tiles, in every round
     std::vector<int>
         wanted_; ///< samples per pixel of each tile, of the round that is under way; empty: none is
     Clock::time_point start_ = Clock::now();
-    double noise_ = 0.0;         ///< as of the last round
+    std::optional<Noise> noise_; ///< as of the last round
     double samples_ = 0.0;       ///< likewise
+    int fewest_ = 0;             ///< likewise, of any pixel
     double noise_seconds_ = 0.0; ///< when that was
     std::atomic<bool> stop_ = false, refused_ = false;
     std::atomic<std::uint64_t> broken_ = 0;
@@ -72,8 +77,8 @@ void Tracer::sample_tile(int tile, int count)
             const std::uint32_t pixel =
                 mixed(mixed(static_cast<std::uint32_t>(x), settings_.seed), static_cast<std::uint32_t>(y));
             for (int i = film_.samples(tile); i < count; ++i) {
-                Sampler sampler(mixed(pixel, static_cast<std::uint32_t>(i % Film::replicates)),
-                                static_cast<std::uint32_t>(i / Film::replicates));
+                Sampler sampler(mixed(pixel, static_cast<std::uint32_t>(i % replicates)),
+                                static_cast<std::uint32_t>(i / replicates));
                 const std::array<double, 4> place = sampler.next4();
                 Sight sight = trace_path(world_, lens_.through(x + place[0], y + place[1]), sampler);
                 if (!std::isfinite(sight.radiance.x + sight.radiance.y + sight.radiance.z)) {
@@ -96,8 +101,8 @@ Progress Tracer::progress() const
     p.done = now / settings_.seconds;
     if (samples_ > 0.0)
         p.done = std::max(p.done, samples_ / settings_.samples * (now / noise_seconds_));
-    if (settings_.noise > 0.0 && noise_ > 0.0)
-        p.done = std::max(p.done, std::pow(settings_.noise / noise_, 2) * (now / noise_seconds_));
+    if (settings_.noise > 0.0 && noise_ && noise_->covered > 0.0)
+        p.done = std::max(p.done, std::pow(settings_.noise / noise_->covered, 2) * (now / noise_seconds_));
     p.done = std::clamp(p.done, 1e-6, 1.0);
     p.seconds_left = now / p.done - now;
     return p;
@@ -114,20 +119,23 @@ void Tracer::ask(const GoOn& go_on, bool may_be_stopped, bool may_time_out)
         stop_ = true;
 }
 
-// What of it is done already is not done again.
+// What of it is done already is not done again. Tiles are taken one by one, whoever is free: wherever the round is
+// stopped, those that are done are scattered over the picture.
 void Tracer::round(const GoOn& go_on, Least least)
 {
-    const bool first = !has_picture(), may_be_stopped = !first || least == Least::nothing;
-    tbb::parallel_for(0, film_.tile_count(), [&](int tile) {
+    const bool may_be_stopped = has(least), may_time_out = has(std::max(least, Least::one_sample));
+    std::atomic<std::size_t> next = 0;
+    tbb::parallel_for(0, film_.tile_count(), [&](int) {
+        const int tile = order_[next++];
         const int count = wanted_[static_cast<std::size_t>(tile)];
         if (stop_ || count <= film_.samples(tile))
             return;
         sample_tile(tile, count);
-        ask(go_on, may_be_stopped, !first);
+        ask(go_on, may_be_stopped, may_time_out);
     });
     samples_ = film_.mean_samples();
-    if (has_picture())
-        noise_ = film_.relative_noise();
+    fewest_ = film_.fewest_samples();
+    noise_ = film_.noise();
     noise_seconds_ = seconds();
 }
 
@@ -139,21 +147,19 @@ bool Tracer::reached_limit() const
     if (!wanted_.empty())
         return false;
     return samples_ >= settings_.samples ||
-           (settings_.noise > 0.0 && samples_ >= 2 * Film::replicates && noise_ <= settings_.noise);
+           (settings_.noise > 0.0 && samples_ >= settled && film_.noise_at_most() <= settings_.noise);
 }
 
 // One sample everywhere, quickly: from then on there is a picture. Then what tells the variance, then ever more.
 std::vector<int> Tracer::next_counts() const
 {
     const std::size_t tiles = static_cast<std::size_t>(film_.tile_count());
-    if (!has_picture())
-        return std::vector<int>(tiles, 1);
-    if (samples_ < std::min(2 * Film::replicates, settings_.samples))
-        return std::vector<int>(tiles, std::min(2 * Film::replicates, settings_.samples));
-    const double next = std::min(std::max(samples_ * growth, samples_ + Film::replicates),
-                                 static_cast<double>(settings_.samples));
+    if (fewest_ < settled)
+        return std::vector<int>(tiles, std::min(std::max(1, 2 * fewest_), settings_.samples));
+    const double next =
+        std::min(std::max(samples_ * growth, samples_ + replicates), static_cast<double>(settings_.samples));
     if (!settings_.adaptive) {
-        const int whole = static_cast<int>(next) / Film::replicates * Film::replicates;
+        const int whole = static_cast<int>(next) / replicates * replicates;
         const bool last = next >= settings_.samples;
         return std::vector<int>(tiles, last ? settings_.samples : whole);
     }
@@ -161,13 +167,14 @@ std::vector<int> Tracer::next_counts() const
     states.reserve(tiles);
     for (int tile = 0; tile < film_.tile_count(); ++tile)
         states.push_back({film_.samples(tile), film_.tile_variance(tile)});
-    return share_samples(states, next * static_cast<double>(tiles), Film::replicates);
+    return share_samples(states, next * static_cast<double>(tiles), replicates);
 }
 
 bool Tracer::advance(const GoOn& go_on, Least least)
 {
     stop_ = refused_ = false;
-    while (!reached_limit() || !has_picture()) {
+    const auto is_enough = [&] { return has(std::max(least, Least::one_sample)); };
+    while (!reached_limit() || !is_enough()) {
         const double before = samples_;
         const bool begins = wanted_.empty();
         if (begins)
@@ -176,12 +183,12 @@ bool Tracer::advance(const GoOn& go_on, Least least)
         if (stop_)
             break;
         wanted_.clear();
-        if (refused_)
+        if (refused_ && has(least))
             break;
         if (begins && !(samples_ > before))
             return true; // nothing is left to be wanted
     }
-    return reached_limit() && has_picture();
+    return reached_limit() && is_enough();
 }
 
 // The points and lines of the picture. A panorama has none: it has no pixels that are as wide as others.
@@ -247,7 +254,7 @@ bool Tracing::advance(const GoOn& go_on, Least least)
 
 bool Tracing::has_picture() const
 {
-    return parts_->tracer->has_picture();
+    return parts_->tracer->has(Least::one_sample);
 }
 
 Result Tracing::result() const
@@ -256,10 +263,10 @@ Result Tracing::result() const
 }
 
 Result trace(const scene::Scene& scene, const image::RadianceImage* panorama, const Settings& settings,
-             const GoOn& go_on)
+             const GoOn& go_on, Least least)
 {
     Tracing tracing(scene, panorama, settings);
-    tracing.advance(go_on, Least::one_sample);
+    tracing.advance(go_on, least);
     return tracing.result();
 }
 

@@ -26,8 +26,8 @@ Bounds merge(const Bounds& a, const Bounds& b)
     return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
 }
 
-// Of all instances of one mesh together.
-constexpr std::size_t most_vertices_looked_at = 200'000'000;
+// Of all instances together; beyond that, meshes that more than a few instances show are looked at once.
+constexpr std::size_t most_vertices_looked_at = 200'000'000, few_uses = 64;
 
 std::vector<glm::vec3> corners_of(const Bounds& box)
 {
@@ -95,16 +95,20 @@ LineCount line_count(const Scene& scene)
 Bounds bounds(const Scene& scene)
 {
     std::vector<std::size_t> uses(scene.meshes.size(), 0);
-    for (const Instance& instance : scene.instances)
+    std::size_t vertices = 0;
+    for (const Instance& instance : scene.instances) {
         ++uses[at(instance.mesh)];
+        vertices += scene.meshes[at(instance.mesh)].positions.size();
+    }
     std::vector<Mesh> boxes(scene.meshes.size());
     Bounds box;
     for (const Instance& instance : scene.instances) {
         const Mesh& mesh = scene.meshes[at(instance.mesh)];
-        const bool often = uses[at(instance.mesh)] > most_vertices_looked_at / (mesh.positions.size() + 1);
-        if (often && boxes[at(instance.mesh)].positions.empty())
-            boxes[at(instance.mesh)].positions = corners_of(instance_bounds(mesh, glm::mat4(1.0f)));
-        box = merge(box, instance_bounds(often ? boxes[at(instance.mesh)] : mesh, instance.transform));
+        Mesh& around = boxes[at(instance.mesh)];
+        const bool rough = vertices > most_vertices_looked_at && uses[at(instance.mesh)] > few_uses;
+        if (rough && around.positions.empty())
+            around.positions = corners_of(instance_bounds(mesh, glm::mat4(1.0f)));
+        box = merge(box, instance_bounds(rough ? around : mesh, instance.transform));
     }
     return box;
 }

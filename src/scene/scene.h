@@ -152,8 +152,8 @@ struct LineCount {
 };
 LineCount line_count(const Scene& scene);
 
-/// Smallest box around every instance in the world; low > high for an empty scene. Around meshes that are shown so often
-/// that looking at every vertex would take seconds, the box of their boxes.
+/// Smallest box around every instance in the world; low > high for an empty scene. Where looking at every vertex of every
+/// instance would take seconds, meshes that are shown often count as their boxes.
 Bounds bounds(const Scene& scene);
 
 /// The box that a camera frames: rest_bounds, if something is in it, so that pictures of one animation are seen from one

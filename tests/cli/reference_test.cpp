@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace lambent {
 namespace {
@@ -70,6 +71,58 @@ TEST(Reference, WritesThePictureItsVarianceAndStatistics)
     EXPECT_GT(stats["triangles"], 0);
     EXPECT_GT(stats["times_ms"]["trace"], 0.0);
     EXPECT_EQ(folder.names(), (std::vector<std::string>{"a.exr", "v.exr"}));
+}
+
+nlohmann::json stats_of(std::vector<std::string> words)
+{
+    words.insert(words.end(), {"--stats", "json"});
+    const Outcome outcome = lambent(words);
+    EXPECT_EQ(outcome.code, 0) << outcome.error;
+    return nlohmann::json::parse(outcome.output);
+}
+
+// One sample tells no noise; two do, of all pixels and, since the background has none, more of the covered ones.
+TEST(Reference, SaysNothingOfNoiseThatItDoesNotKnow)
+{
+    const Folder folder;
+    const auto stats = [&](const char* samples) {
+        return stats_of({"reference", "sphere", "-o", folder.path("a.exr"), "--env", "studio", "--size",
+                         "64x48", "--background", "0.2,0.2,0.2", "--spp", samples});
+    };
+    const nlohmann::json one = stats("1"), two = stats("2");
+    EXPECT_TRUE(one.at("error").is_null());
+    EXPECT_TRUE(one.at("error_covered").is_null());
+    EXPECT_GT(two.at("error").get<double>(), 0.0);
+    EXPECT_GT(two.at("error_covered").get<double>(), two.at("error").get<double>());
+    EXPECT_EQ(two.at("error_cut"), 1.0);
+}
+
+// At so high an exposure that every pixel with light is cut, a display shows no noise of it.
+TEST(Reference, NoiseIsThatOfExposedAndCutLight)
+{
+    const Folder folder;
+    const auto noise = [&](const char* exposure) {
+        return stats_of({"reference", "sphere", "-o", folder.path("a.exr"), "--env", "furnace", "--size",
+                         "64x48", "--exposure", exposure, "--spp", "8"})
+            .at("error_covered")
+            .get<double>();
+    };
+    EXPECT_LT(noise("1000"), 0.1 * noise("0.001"));
+}
+
+TEST(Reference, VarianceNeedsTwoSamples)
+{
+    const Folder folder;
+    const Outcome refused =
+        lambent(traced(folder.path("a.exr"), {"--spp", "1", "--variance", folder.path("v.exr")}));
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_EQ(refused.error,
+              "lambent: error: --variance: one sample per pixel tells none: --spp 2 or more\n");
+    const nlohmann::json stats = stats_of(traced(
+        folder.path("a.exr"), {"--time", "0.0001", "--size", "48x32", "--variance", folder.path("v.exr")}));
+    EXPECT_EQ(stats.at("samples"), 2.0);
+    for (const float value : image::read_radiance(folder.path("v.exr")).values)
+        ASSERT_TRUE(std::isfinite(value));
 }
 
 TEST(Reference, DisplaysWhatItTraced)

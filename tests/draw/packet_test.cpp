@@ -61,7 +61,7 @@ std::vector<Ray> impossible()
 TEST_P(Packets, OfAnyLengthMeetThePlane)
 {
     scene::Scene scene;
-    add(scene, testing::facing_square(1.0f, 0.0f), testing::matte({1, 1, 1}));
+    testing::add(scene, testing::facing_square(1.0f, 0.0f), testing::matte({1, 1, 1}));
     const Visibility visibility(scene);
     for (std::size_t count = 1; count <= 35; ++count) {
         std::vector<Ray> list;
@@ -81,7 +81,7 @@ TEST_P(Packets, OfAnyLengthMeetThePlane)
 TEST_P(Packets, ImpossibleRaysMeetNothingAndHarmNoOthers)
 {
     scene::Scene scene;
-    add(scene, testing::facing_square(1.0f, 0.0f), testing::matte({1, 1, 1}));
+    testing::add(scene, testing::facing_square(1.0f, 0.0f), testing::matte({1, 1, 1}));
     const Visibility visibility(scene);
     const std::vector<Ray> bad = impossible();
     std::vector<Ray> list;
@@ -125,7 +125,7 @@ TEST_P(Packets, MeshesShownTwiceMayBeFlatTinyOrHuge)
                  {{huge, huge, huge}, true}, {{1.0f, huge, huge}, true}, {{1e-3f, 1e-3f, 1e-3f}, true}};
     for (const auto& [scale, is_met] : cases) {
         scene::Scene scene;
-        add(scene, testing::facing_square(1.0f, 0.0f), testing::matte({1, 1, 1}));
+        testing::add(scene, testing::facing_square(1.0f, 0.0f), testing::matte({1, 1, 1}));
         scene.instances.push_back(
             {0, -1, glm::scale(glm::translate(glm::mat4(1.0f), glm::vec3(0.0f, 0.0f, -3.0f)), scale)});
         const Visibility visibility(scene);

@@ -112,8 +112,8 @@ TEST(ThinShapes, LinesAreCutWhereTheyLeaveThePicture)
         EXPECT_NEAR(p.y, -1.0f + 2.0f * part, 1e-4f);
         EXPECT_NEAR(strip.colors[i].r, part, 1e-4f);
     }
-    // The lower border, and the two pixels more, are at y = 1.04 z: there s = 6.28 / 14.64.
-    EXPECT_NEAR(strip.colors[0].r, 6.28f / 14.64f, 1e-4f);
+    // The lower border, and two pixels more, are where y = 1.04 z: s = 8.28 / 18.64.
+    EXPECT_NEAR(strip.colors[0].r, 8.28f / 18.64f, 1e-4f);
     EXPECT_EQ(strip.colors[3].r, 1.0f);
     const glm::mat4 behind = glm::translate(glm::mat4(1.0f), {0.0f, 0.0f, 20.0f});
     EXPECT_TRUE(thin(mesh, camera, behind).triangles.empty());
@@ -141,6 +141,13 @@ TEST(ThinShapes, NormalsAreOfTheWorldAndOnTheSideThatIsSeen)
     const glm::mat4 turned = glm::rotate(glm::mat4(1.0f), 3.14159265f, {0.0f, 1.0f, 0.0f});
     EXPECT_NEAR(thin(mesh, camera, turned).normals[0].y, -std::sqrt(0.5f), 1e-6f);
     EXPECT_NEAR(thin(mesh, camera, turned).normals[0].z, std::sqrt(0.5f), 1e-6f);
+    // Turned round are all three of normal, tangent and cross(normal, tangent) * w.
+    mesh.tangents.assign(2, {1, 0, 0, 1});
+    EXPECT_EQ(thin(mesh, camera, high).tangents[0], glm::vec4(1, 0, 0, 1));
+    EXPECT_NEAR(thin(mesh, camera, turned).tangents[0].x, 1.0f, 1e-6f);
+    EXPECT_EQ(thin(mesh, camera, turned).tangents[0].w, -1.0f);
+    const glm::mat4 mirrored = glm::scale(glm::mat4(1.0f), {-1.0f, 1.0f, 1.0f});
+    EXPECT_EQ(thin(mesh, camera, mirrored).tangents[0], glm::vec4(-1, 0, 0, -1));
 }
 
 // Of a camera that is no camera nothing is made, rather than numbers that are none.

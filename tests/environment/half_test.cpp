@@ -17,7 +17,7 @@ TEST_P(Halfs, AreTheNearest)
 {
     Panorama panorama;
     panorama.width = 8, panorama.height = 4;
-    panorama.texels.assign(32, pack_rgb9e5(1.0f, 0.5f, 0x1p-9f));
+    panorama.texels.assign(32, pack_rgb9e5(1.0f, 0.5f, 0x1p-7f));
     CubeChain chain;
     chain.allocate(2, 1);
     const std::vector<TexelPoint> middle = {{0.5f, 0.5f}};
@@ -27,7 +27,7 @@ TEST_P(Halfs, AreTheNearest)
         panorama.scale = factor;
         resample_row({&panorama, 1e30f, &middle, 0, 1, 0, 4}, chain);
         const std::uint16_t* const halfs = chain.halfs() + 3 * chain.texel(0, 0, 0, 1);
-        const double colors[3] = {factor, 0.5 * factor, 0x1p-9 * factor};
+        const double colors[3] = {factor, 0.5 * factor, 0x1p-7 * factor};
         for (int i = 0; i < 12; ++i) {
             const double exact = colors[i % 3];
             const double step = std::ldexp(1.0, std::max(std::ilogb(exact), -14) - 10);

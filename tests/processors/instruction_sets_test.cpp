@@ -9,8 +9,9 @@
 namespace lambent::processors {
 namespace {
 
-// The blurs of the environment are halfs: where two instruction sets round to different sides, one step of 2^-10.
-constexpr double half_step = 0x1p-10;
+// Kernels round to about 1e-6. The blurs of the environment and what is baked are halfs, in steps of 2^-10: of two values of a texel so near
+// each other, one in a thousand pairs lies on both sides of a rounding, and then a step apart. Root mean square 3e-5.
+constexpr double rounding = 1e-4;
 
 class InstructionSets : public ::testing::TestWithParam<std::string> {
 protected:
@@ -32,10 +33,12 @@ TEST_P(InstructionSets, DrawWhatTheOldestDraws)
 {
     const Values picture = Workshop().picture(limited_to(GetParam()));
     const double far = distance(picture, first().picture);
-    std::printf("picture: %.2e apart, %.4f beyond\n", far, share_beyond(picture, first().picture, half_step));
-    EXPECT_LT(far, half_step);
+    std::printf("picture: %.2e apart, %.4f beyond\n", far, share_beyond(picture, first().picture, 1e-5));
+    EXPECT_LT(far, rounding);
 }
 
+// Traced in double but for the hits, which Embree rounds: values move by 1e-6, and only where a ray passes an edge so near
+// does a path go another way.
 TEST_P(InstructionSets, TraceWhatTheOldestTraces)
 {
     const Values trace = Workshop().trace(limited_to(GetParam()));
@@ -49,7 +52,7 @@ TEST_P(InstructionSets, BakeWhatTheOldestBakes)
     const Values bake = Workshop().bake(limited_to(GetParam()));
     const double far = distance(bake, first().bake);
     std::printf("bake: %.2e apart, %.4f beyond\n", far, share_beyond(bake, first().bake, 1e-5));
-    EXPECT_LT(far, 1e-5);
+    EXPECT_LT(far, rounding);
 }
 
 LAMBENT_EACH_INSTRUCTION_SET(InstructionSets);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -91,6 +92,33 @@ TEST(ReferenceBudget, NoVarianceAtAll)
 {
     const std::vector<TileState> black(3, TileState{16, 0.0});
     EXPECT_EQ(share_samples(black, 3 * 24.0, step), std::vector<int>(3, 16));
+}
+
+// Each once, whatever the picture's shape.
+TEST(ReferenceBudget, ScatteredTilesAreAllTiles)
+{
+    for (const auto& [columns, rows] : {std::pair{1, 1}, {1, 9}, {7, 1}, {2, 2}, {40, 23}, {80, 45}}) {
+        std::vector<int> order = scattered_tiles(columns, rows);
+        std::sort(order.begin(), order.end());
+        std::vector<int> all(static_cast<std::size_t>(columns * rows));
+        std::iota(all.begin(), all.end(), 0);
+        EXPECT_EQ(order, all) << columns << 'x' << rows;
+    }
+}
+
+// Of 16 x 8 tiles, the first 2^k: one in each of 2^k equal rectangles, of any shape.
+TEST(ReferenceBudget, ScatteredTilesAreSpreadEvenlyFromTheFirst)
+{
+    const std::vector<int> order = scattered_tiles(16, 8);
+    for (int across = 0; across <= 4; ++across)
+        for (int down = 0; down <= 3; ++down) {
+            std::vector<int> seen(1u << (across + down));
+            for (std::size_t i = 0; i < seen.size(); ++i) {
+                const int x = order[i] % 16 >> (4 - across), y = order[i] / 16 >> (3 - down);
+                ++seen[static_cast<std::size_t>((y << across) + x)];
+            }
+            EXPECT_EQ(seen, std::vector<int>(seen.size(), 1)) << across << ' ' << down;
+        }
 }
 
 } // namespace

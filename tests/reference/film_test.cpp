@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 namespace lambent::reference {
@@ -17,14 +18,16 @@ Sight sample(std::mt19937& random)
     return {{v, 2.0 * v, 3.0 * v}, u < 0.25 ? 0.0 : 1.0};
 }
 
-// Variance of the mean by 8 replicates: their means' sample variance over 8.
+constexpr double not_cut = std::numeric_limits<double>::infinity();
+
+// Variance of the mean by 8 replicates of as many samples each: their means' sample variance over 8.
 double direct_variance(const std::vector<double>& values)
 {
-    const std::size_t used = std::min<std::size_t>(values.size(), Film::replicates);
+    const std::size_t used = std::min<std::size_t>(values.size(), replicates);
     std::vector<double> means;
     for (std::size_t r = 0; r < used; ++r) {
         double sum = 0.0, count = 0.0;
-        for (std::size_t i = r; i < values.size(); i += Film::replicates, count += 1.0)
+        for (std::size_t i = r; i < values.size(); i += replicates, count += 1.0)
             sum += values[i];
         means.push_back(sum / count);
     }
@@ -33,13 +36,13 @@ double direct_variance(const std::vector<double>& values)
         mean += m / static_cast<double>(used);
     for (const double m : means)
         squares += (m - mean) * (m - mean);
-    return used > 1 ? squares / static_cast<double>(used - 1) / static_cast<double>(used) : 0.0;
+    return squares / static_cast<double>(used - 1) / static_cast<double>(used);
 }
 
 TEST(ReferenceFilm, MeanAndVarianceAreTheFormulas)
 {
-    for (const int count : {1, 2, 5, 8, 9, 16, 23, 400}) {
-        Film film(19, 17); // four tiles, three of them cut off
+    for (const int count : {1, 2, 5, 8, 16, 24, 400}) {
+        Film film(19, 17, not_cut); // four tiles, three of them cut off
         std::mt19937 random(static_cast<unsigned>(count));
         std::vector<std::vector<double>> values(19 * 17);
         std::vector<double> covered(19 * 17, 0.0);
@@ -64,14 +67,17 @@ TEST(ReferenceFilm, MeanAndVarianceAreTheFormulas)
             EXPECT_NEAR(radiance.values[4 * i + 1], mean, 1e-5);
             EXPECT_NEAR(radiance.values[4 * i + 2], 1.5 * mean, 1e-5);
             EXPECT_NEAR(radiance.values[4 * i + 3], covered[i], 1e-5);
-            EXPECT_NEAR(variance.values[3 * i + 1], direct_variance(values[i]), 1e-6);
+            if (count > 1)
+                EXPECT_NEAR(variance.values[3 * i + 1], direct_variance(values[i]), 1e-6);
+            else
+                EXPECT_EQ(variance.values[3 * i + 1], std::numeric_limits<float>::infinity());
         }
     }
 }
 
 TEST(ReferenceFilm, TilesCoverThePictureOnce)
 {
-    const Film film(50, 33);
+    const Film film(50, 33, not_cut);
     std::vector<int> covered(50 * 33, 0);
     for (int tile = 0; tile < film.tile_count(); ++tile) {
         const Film::Area a = film.area(tile);
@@ -87,8 +93,8 @@ TEST(ReferenceFilm, TilesCoverThePictureOnce)
 TEST(ReferenceFilm, VarianceIsUnbiased)
 {
     constexpr int size = 100;
-    for (const int count : {2, 8, 16, 64}) {
-        Film film(size, size);
+    for (const int count : {2, 8, 9, 12, 16, 23, 64}) {
+        Film film(size, size, not_cut);
         std::mt19937 random(7);
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x)
@@ -100,25 +106,95 @@ TEST(ReferenceFilm, VarianceIsUnbiased)
         double sum = 0.0;
         for (std::size_t i = 0; i < variance.values.size(); i += 3)
             sum += static_cast<double>(variance.values[i]);
-        const double replicates = std::min(count, Film::replicates);
+        const double used = std::min(count, replicates);
         EXPECT_NEAR(sum / (size * size) * count / (4.0 / 45.0), 1.0,
-                    5.0 * 2.0 * std::sqrt(2.0 / (replicates - 1.0)) / size);
+                    5.0 * 2.0 * std::sqrt(2.0 / (used - 1.0)) / size);
     }
 }
 
-// One tile quiet, one not, by hand: pixels with replicates 1 and 3 have variance 1 of the mean of two samples.
+// Three tiles, by hand. Replicates 1 and 3 are a mean of 2 with variance 1; the first tile is quiet, the last has no
+// surface and is cut.
+Film three_tiles(double cut)
+{
+    Film film(48, 16, cut);
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 48; ++x)
+            for (int i = 0; i < 2; ++i)
+                film.add(x, y, i,
+                         {glm::dvec3(x < 16   ? 2.0
+                                     : x < 32 ? 1.0 + 2.0 * i
+                                              : 9.0 + 2.0 * i),
+                          x < 32 ? 1.0 : 0.0});
+    for (int tile = 0; tile < 3; ++tile)
+        film.finish(tile, 2);
+    return film;
+}
+
 TEST(ReferenceFilm, NoiseIsTheRootMeanSquareOverTheMean)
 {
-    Film film(32, 16);
-    for (int y = 0; y < 16; ++y)
-        for (int x = 0; x < 32; ++x)
-            for (int i = 0; i < 2; ++i)
-                film.add(x, y, i, {glm::dvec3(x < 16 ? 2.0 : 1.0 + 2.0 * i), 1.0});
-    film.finish(0, 2);
-    film.finish(1, 2);
+    const Film film = three_tiles(not_cut);
     EXPECT_NEAR(film.tile_variance(0), 0.0, 1e-12);
     EXPECT_NEAR(film.tile_variance(1), 1.0, 1e-12);
-    EXPECT_NEAR(film.relative_noise(), std::sqrt(0.5) / 2.0, 1e-12);
+    EXPECT_NEAR(film.noise().value().all, std::sqrt(2.0 / 3.0) / (14.0 / 3.0), 1e-12);
+    EXPECT_NEAR(film.noise()->covered, std::sqrt(0.5) / 2.0, 1e-12);
+}
+
+// At 4 the last tile is 4 whatever its samples: no error, though both samples differ.
+TEST(ReferenceFilm, NoiseIsThatOfCutLight)
+{
+    const Film film = three_tiles(4.0);
+    EXPECT_NEAR(film.tile_variance(2), 0.0, 1e-12);
+    EXPECT_NEAR(film.noise().value().all, std::sqrt(1.0 / 3.0) / (8.0 / 3.0), 1e-12);
+    EXPECT_NEAR(film.variance().pixel(40, 3)[1], 1.0, 1e-6) << "not cut";
+}
+
+TEST(ReferenceFilm, WithoutSurfacesAllPixelsCount)
+{
+    Film film(16, 16, not_cut);
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 16; ++x)
+            for (int i = 0; i < 2; ++i)
+                film.add(x, y, i, {glm::dvec3(1.0 + 2.0 * i), 0.0});
+    film.finish(0, 2);
+    EXPECT_NEAR(film.noise().value().covered, 0.5, 1e-12);
+}
+
+// Independent samples of 0 and 2 in `noisy` pixels, the others 1.
+Film noisy_pixels(int noisy)
+{
+    Film film(16, 16, not_cut);
+    for (int i = 0; i < 2; ++i)
+        for (int pixel = 0; pixel < 256; ++pixel)
+            film.add(pixel % 16, pixel / 16, i, {glm::dvec3(pixel < noisy ? 2.0 * i : 1.0), 1.0});
+    film.finish(0, 2);
+    return film;
+}
+
+TEST(ReferenceFilm, NothingIsClaimedOfAFewPixelsThatHoldAllNoise)
+{
+    EXPECT_EQ(noisy_pixels(0).noise().value().all, 0.0);
+    EXPECT_FALSE(noisy_pixels(1).noise().has_value());
+    EXPECT_FALSE(noisy_pixels(29).noise().has_value());
+    EXPECT_NEAR(noisy_pixels(30).noise().value().all, std::sqrt(30.0 / 256.0), 1e-12);
+    EXPECT_NEAR(noisy_pixels(29).noise_at_most(), 2.0 * std::sqrt(29.0 / 256.0), 1e-12);
+    EXPECT_NEAR(noisy_pixels(31).noise_at_most(), std::sqrt(31.0 / 256.0), 1e-12);
+}
+
+// One tile of many with one sample: what it hides is not known.
+TEST(ReferenceFilm, NothingIsClaimedBeforeEveryPixelHasTwoSamples)
+{
+    Film film(32, 16, not_cut);
+    for (int tile = 0; tile < 2; ++tile)
+        for (int i = 0; i < 1 + tile; ++i)
+            for (int y = 0; y < 16; ++y)
+                for (int x = 0; x < 16; ++x)
+                    film.add(16 * tile + x, y, i, {glm::dvec3(1.0), 1.0});
+    film.finish(0, 1);
+    film.finish(1, 2);
+    EXPECT_FALSE(film.noise().has_value());
+    EXPECT_TRUE(std::isinf(film.noise_at_most()));
+    EXPECT_EQ(film.fewest_samples(), 1);
+    EXPECT_EQ(film.mean_samples(), 1.5);
 }
 
 } // namespace

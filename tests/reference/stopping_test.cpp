@@ -1,6 +1,8 @@
 // When the tracer stops, and what there is then.
 #include "tests/reference/traced.h"
 
+#include <tbb/global_control.h>
+
 namespace lambent::reference {
 namespace {
 
@@ -30,8 +32,10 @@ TEST(ReferenceStopping, AtTheNumberOfSamples)
         EXPECT_FALSE(result.stopped);
         EXPECT_EQ(result.radiance.width, 20);
         EXPECT_EQ(result.variance.channels, 3);
+        ASSERT_EQ(result.noise.has_value(), samples > 1);
         if (samples > 1) {
-            EXPECT_GT(result.noise, 0.0);
+            EXPECT_GT(result.noise->all, 0.0);
+            EXPECT_GT(result.noise->covered, 0.0);
         }
     }
 }
@@ -45,8 +49,20 @@ TEST(ReferenceStopping, AtTheNoise)
             settings.noise = noise;
             settings.adaptive = adaptive;
             const Result result = trace(half_wall(), &light, settings);
-            EXPECT_LE(result.noise, noise);
+            EXPECT_LE(result.noise.value().covered, noise);
             EXPECT_LT(result.samples, 1 << 13);
+        }
+}
+
+// A wall that shines with (1, 2, 3), in every pixel.
+void expect_plain(const Result& result)
+{
+    for (int y = 0; y < result.radiance.height; ++y)
+        for (int x = 0; x < result.radiance.width; ++x) {
+            EXPECT_EQ(result.radiance.pixel(x, y)[0], 1.0f);
+            EXPECT_EQ(result.radiance.pixel(x, y)[1], 2.0f);
+            EXPECT_EQ(result.radiance.pixel(x, y)[2], 3.0f);
+            EXPECT_EQ(result.radiance.pixel(x, y)[3], 1.0f);
         }
 }
 
@@ -57,7 +73,7 @@ TEST(ReferenceStopping, AtOnceWhenTheTimeIsUpButWithEveryPixel)
     settings.seconds = 1e-9;
     const Result result = trace(scene, nullptr, settings);
     EXPECT_EQ(result.samples, 1.0);
-    expect_light(result, {1.0, 2.0, 3.0});
+    expect_plain(result);
 }
 
 TEST(ReferenceStopping, WhenAskedToButWithEveryPixel)
@@ -67,11 +83,7 @@ TEST(ReferenceStopping, WhenAskedToButWithEveryPixel)
         trace(scene, nullptr, small_settings(48, 1.0f, 1 << 20), [](const Progress&) { return false; });
     EXPECT_TRUE(result.stopped);
     EXPECT_EQ(result.samples, 1.0);
-    for (int y = 0; y < 48; ++y)
-        for (int x = 0; x < 48; ++x) {
-            EXPECT_EQ(result.radiance.pixel(x, y)[1], 2.0f);
-            EXPECT_EQ(result.radiance.pixel(x, y)[3], 1.0f);
-        }
+    expect_plain(result);
 }
 
 // Within a round: some tiles have more samples than others, all of them are means.
@@ -91,6 +103,59 @@ TEST(ReferenceStopping, InTheMiddleTheMeansAreStillMeans)
     EXPECT_TRUE(result.stopped);
     EXPECT_GT(result.samples, 1.0);
     expect_light(result, {1.0, 2.0, 3.0}, 1e-6);
+}
+
+// Whole rounds of 1, 2, 4, 8 and 16 samples, then of ever more; nothing is said of the noise before the second.
+TEST(ReferenceStopping, RoundsDoubleUntilTheNoiseIsKnownWell)
+{
+    const image::RadianceImage light = noisy_light();
+    std::vector<double> samples;
+    trace(half_wall(), &light, small_settings(20, 2.0f, 36), [&](const Progress& p) {
+        if (samples.empty() || samples.back() != p.samples)
+            samples.push_back(p.samples);
+        EXPECT_EQ(p.noise.has_value(), p.samples >= 2.0);
+        return true;
+    });
+    // Told at each tile with what the rounds before it came to.
+    EXPECT_EQ(samples, (std::vector<double>{0.0, 1.0, 2.0, 4.0, 8.0, 16.0, 24.0}));
+}
+
+// Half of the second round: no band of tiles has two samples where another has one, and no noise is claimed.
+TEST(ReferenceStopping, HalfARoundIsSpreadOverThePicture)
+{
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    const image::RadianceImage light = noisy_light();
+    int asked = 0;
+    const Result result = trace(half_wall(), &light, small_settings(8 * Film::tile_size, 2.0f, 64),
+                                [&](const Progress&) { return ++asked < 64 + 32; });
+    EXPECT_EQ(result.samples, 1.5);
+    EXPECT_FALSE(result.noise.has_value());
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        int twice = 0;
+        for (int y = 0; y < 4; ++y)
+            for (int x = 0; x < 4; ++x) {
+                const int tile_x = 4 * (quarter % 2) + x, tile_y = 4 * (quarter / 2) + y;
+                const float variance =
+                    result.variance.pixel(tile_x * Film::tile_size, tile_y * Film::tile_size)[0];
+                twice += std::isfinite(variance) ? 1 : 0;
+            }
+        EXPECT_EQ(twice, 8) << "quarter " << quarter;
+    }
+}
+
+TEST(ReferenceStopping, NotBeforeTwoSamplesWhereTheVarianceIsWanted)
+{
+    const image::RadianceImage light = noisy_light();
+    Settings settings = small_settings(48, 2.0f, 64);
+    const Result refused = trace(
+        half_wall(), &light, settings, [](const Progress&) { return false; }, Least::two_samples);
+    EXPECT_TRUE(refused.stopped);
+    EXPECT_EQ(refused.samples, 2.0);
+    EXPECT_TRUE(refused.noise.has_value());
+    settings.seconds = 1e-9;
+    const Result late = trace(half_wall(), &light, settings, {}, Least::two_samples);
+    EXPECT_EQ(late.samples, 2.0);
+    EXPECT_TRUE(late.noise.has_value());
 }
 
 TEST(ReferenceStopping, AdaptiveAndUniformPicturesAgree)
@@ -119,7 +184,8 @@ TEST(ReferenceStopping, AnEmptySceneIsBlack)
     settings.noise = 0.01;
     const Result result = trace(scene, nullptr, settings);
     expect_light(result, glm::dvec3(0.0));
-    EXPECT_EQ(result.noise, 0.0);
+    EXPECT_EQ(result.noise.value().all, 0.0);
+    EXPECT_EQ(result.noise->covered, 0.0);
 }
 
 // Told to stop at every turn, the tracer ends with the samples of one that was not: bit by bit.
@@ -145,7 +211,8 @@ void expect_same_in_pieces(const Settings& settings)
     EXPECT_EQ(result.radiance.values, whole.radiance.values);
     EXPECT_EQ(result.variance.values, whole.variance.values);
     EXPECT_EQ(result.samples, whole.samples);
-    EXPECT_EQ(result.noise, whole.noise);
+    EXPECT_EQ(result.noise.value().all, whole.noise.value().all);
+    EXPECT_EQ(result.noise->covered, whole.noise->covered);
 }
 
 TEST(ReferenceStopping, InPiecesItIsTheSame)

@@ -64,7 +64,7 @@ void compare(const scene::Scene& scene, view::Model model, int bounces)
     const Result reflections = trace(scene, &light, settings);
     expect_same(both, lights);
     expect_same(both, reflections);
-    EXPECT_LT(both.noise, 0.05);
+    EXPECT_LT(both.noise.value().all, 0.05);
 }
 
 TEST(ReferenceStrategies, AgreeOnGgx)

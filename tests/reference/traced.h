@@ -141,6 +141,7 @@ inline Average average(const Result& result, const Part& part, int channel)
 /// That the picture is what is expected, within its noise and `inexact`, what is known to be left out, relative.
 inline void expect_light(const Average& seen, double expected, double inexact = 1e-4)
 {
+    ASSERT_TRUE(std::isfinite(seen.deviation)) << "one sample tells no noise";
     EXPECT_NEAR(seen.mean, expected, deviations * seen.deviation + inexact * std::fabs(expected))
         << "deviation " << seen.deviation;
 }

@@ -67,7 +67,7 @@ TEST(ReferenceVariance, NoiseIsTheRelativeError)
             sum += x;
         }
     const double count = 3.0 * 32.0 * 32.0;
-    EXPECT_NEAR(std::sqrt(0.5 * squares / count) / (sum / count) / a.noise, 1.0, 0.1);
+    EXPECT_NEAR(std::sqrt(0.5 * squares / count) / (sum / count) / a.noise.value().all, 1.0, 0.1);
 }
 
 TEST(ReferenceVariance, FallsWithTheSamples)
@@ -77,7 +77,7 @@ TEST(ReferenceVariance, FallsWithTheSamples)
     const Result few = trace(scene, &light, small_settings(16, 2.0f, 16));
     const Result many = trace(scene, &light, small_settings(16, 2.0f, 256));
     // Sixteen times the samples: a quarter of the noise, or less where points are spread evenly.
-    EXPECT_LT(many.noise, 0.27 * few.noise);
+    EXPECT_LT(many.noise.value().all, 0.27 * few.noise.value().all);
 }
 
 TEST(ReferenceVariance, TheSamePictureOnAnyNumberOfThreads)

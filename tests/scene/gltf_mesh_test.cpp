@@ -203,7 +203,7 @@ TEST(GltfMesh, BothSetsOfTextureCoordinatesAreRead)
 // texture's. What no texture reads may be of any kind.
 TEST(GltfMesh, AnySetOfTextureCoordinatesThatAMaterialAsksForIsRead)
 {
-    GltfBuilder builder = five_points(4);
+    GltfBuilder builder = five_points(5);
     builder.add_to("images", {{"bufferView", builder.add_view(make_png({1, 1, 8, {1, 2, 3, 4}}))}});
     builder.add_to("textures", {{"source", 0}});
     const auto use = [](int set) { return json{{"index", 0}, {"texCoord", set}}; };

@@ -45,6 +45,24 @@ TEST(Scene, BoundsAreTightInTheWorld)
     EXPECT_NEAR(bounds(scene).low.x, -2.0f * half, 1e-6f);
 }
 
+// Four hundred million vertices: their meshes' boxes stand for them. Moved and turned by 45 degrees they reach as far as
+// the boxes' corners.
+TEST(Scene, BoundsOfManyInstancesAreThoseOfTheirBoxes)
+{
+    Scene scene;
+    scene.meshes = {one_triangle()};
+    scene.meshes[0].positions.resize(200'000, glm::vec3(0.5f));
+    for (int i = 0; i < 2000; ++i)
+        scene.instances.push_back(
+            {0, -1, glm::translate(glm::mat4(1.0f), glm::vec3(static_cast<float>(i), 0.0f, 0.0f))});
+    EXPECT_EQ(bounds(scene).low, glm::vec3(0.0f));
+    EXPECT_EQ(bounds(scene).high, glm::vec3(2000.0f, 2.0f, 3.0f));
+    for (Instance& instance : scene.instances)
+        instance.transform = glm::rotate(glm::mat4(1.0f), glm::radians(45.0f), glm::vec3(0, 0, 1));
+    EXPECT_NEAR(bounds(scene).high.y, 3.0f * std::sqrt(0.5f), 1e-6f);
+    EXPECT_NEAR(bounds(scene).low.x, -2.0f * std::sqrt(0.5f), 1e-6f);
+}
+
 TEST(Scene, AnEmptySceneHasNoBounds)
 {
     const Bounds none = bounds(Scene{});

@@ -47,6 +47,8 @@ ReferenceArguments finished(const Words& words, ReferenceArguments arguments)
         arguments.bounces = whole_in(words.bounces, "--bounces", 0, 1024);
     if (!words.spp.empty())
         arguments.samples = whole_in(words.spp, "--spp", 1, 1 << 20);
+    if (!arguments.variance.empty() && arguments.samples == 1)
+        throw Error(Failure::usage, "--variance: one sample per pixel tells none: --spp 2 or more");
     if (!words.noise.empty())
         arguments.noise = static_cast<double>(number_in(words.noise, "--noise", 1e-6, 1.0));
     if (!words.time.empty())
@@ -133,7 +135,7 @@ struct Grammar {
                "Bounces of light; 0: direct light without shadows, 1: with shadows (8)");
         option(command, "--spp", words.spp, "N", "Stop at N samples per pixel (1024, if no limit is given)");
         option(command, "--noise", words.noise, "REL",
-               "Stop at this estimated relative error (0.01, if no limit is given)");
+               "Stop at this estimated relative error of what surfaces cover (0.01, if no limit is given)");
         option(command, "--time", words.time, "S", "Stop after S seconds");
         option(command, "--seed", words.seed, "N", "Another number, other noise (0)");
         option(command, "--variance", reference.variance, "FILE",

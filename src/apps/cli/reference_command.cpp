@@ -20,11 +20,19 @@
 namespace lambent::cli {
 namespace {
 
+std::string percent(double share)
+{
+    char shown[40];
+    std::snprintf(shown, sizeof shown, "%.2f%%", 100.0 * share);
+    return shown;
+}
+
 std::string note_of(const reference::Progress& progress)
 {
-    char note[80];
-    std::snprintf(note, sizeof note, "%.0f samples, noise %.2f%%", progress.samples, 100.0 * progress.noise);
-    return progress.samples > 0.0 ? note : "";
+    if (!(progress.samples > 0.0))
+        return "";
+    const std::string samples = text(std::lround(progress.samples), " samples");
+    return progress.noise ? text(samples, ", noise ", percent(progress.noise->covered)) : samples;
 }
 
 void check_variance_file(const std::string& path)
@@ -37,6 +45,8 @@ void check_variance_file(const std::string& path)
     check_can_write(path);
 }
 
+using Json = nlohmann::ordered_json;
+
 void check_outputs(const ReferenceArguments& arguments, const InputFiles& inputs)
 {
     inputs.keep_from(arguments.picture.output);
@@ -46,8 +56,7 @@ void check_outputs(const ReferenceArguments& arguments, const InputFiles& inputs
     check_two_outputs(arguments.picture.output, arguments.variance);
 }
 
-nlohmann::ordered_json describe(const ReferenceArguments& arguments, const scene::Scene& scene,
-                                const reference::Result& result)
+Json describe(const ReferenceArguments& arguments, const scene::Scene& scene, const reference::Result& result)
 {
     return {{"command", "reference"},
             {"scene", arguments.picture.scene},
@@ -58,7 +67,9 @@ nlohmann::ordered_json describe(const ReferenceArguments& arguments, const scene
             {"height", result.radiance.height},
             {"bounces", arguments.bounces},
             {"samples", result.samples},
-            {"error", result.noise},
+            {"error", result.noise ? Json(result.noise->all) : Json(nullptr)},
+            {"error_covered", result.noise ? Json(result.noise->covered) : Json(nullptr)},
+            {"error_cut", 1.0},
             {"triangles", scene::triangle_count(scene)}};
 }
 
@@ -66,8 +77,9 @@ Warnings warnings_of(const reference::Result& result)
 {
     Warnings warnings;
     if (result.stopped)
-        warnings.push_back(text("stopped early, at ", result.samples, " samples per pixel and ",
-                                std::round(1e4 * result.noise) / 100.0, "% of noise"));
+        warnings.push_back(text("stopped early, at ", result.samples, " samples per pixel",
+                                result.noise ? text(" and ", percent(result.noise->covered), " of noise")
+                                             : std::string(" and unknown noise")));
     if (result.broken > 0)
         warnings.push_back(text(result.broken, " samples are not finite and count as black"));
     return warnings;
@@ -97,10 +109,12 @@ void run(const ReferenceArguments& arguments)
 
     const reference::Settings settings = reference_settings(arguments, scene);
     const reference::Result result = reference::trace(
-        scene, environment ? &*environment : nullptr, settings, [&](const reference::Progress& progress) {
+        scene, environment ? &*environment : nullptr, settings,
+        [&](const reference::Progress& progress) {
             console.progress(static_cast<float>(progress.done), note_of(progress));
             return !interrupt.asked();
-        });
+        },
+        arguments.variance.empty() ? reference::Least::one_sample : reference::Least::two_samples);
     console.end_progress();
     console.warn(warnings_of(result));
     watch.lap("trace");
@@ -111,7 +125,7 @@ void run(const ReferenceArguments& arguments)
     watch.lap("write");
     console.remark(text("wrote ", picture.output));
     if (picture.common.stats_json) {
-        nlohmann::ordered_json stats = describe(arguments, scene, result);
+        Json stats = describe(arguments, scene, result);
         add_cost(watch, stats);
         print(stats);
     }

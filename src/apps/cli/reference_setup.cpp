@@ -31,6 +31,7 @@ reference::Settings reference_settings(const ReferenceArguments& arguments, cons
     settings.camera = choose_camera(arguments.picture, scene);
     settings.bounces = arguments.bounces;
     settings.seed = arguments.seed;
+    settings.cut = 1.0 / static_cast<double>(arguments.picture.display.exposure);
     if (arguments.seconds)
         settings.seconds = *arguments.seconds;
     const bool no_limit = !arguments.samples && !arguments.noise && !arguments.seconds;

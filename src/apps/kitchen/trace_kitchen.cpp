@@ -99,6 +99,12 @@ image::RadianceImage combined(const scene::Scene& scene, const reference::Result
     return sum;
 }
 
+// As what settings_of's limit is held against; infinite where the time was too short to tell.
+double noise_of(const reference::Result& result)
+{
+    return result.noise ? result.noise->covered : std::numeric_limits<double>::infinity();
+}
+
 } // namespace
 
 KitchenPicture trace_kitchen(const KitchenTrace& trace, const std::function<void(double)>& report)
@@ -118,7 +124,7 @@ KitchenPicture trace_kitchen(const KitchenTrace& trace, const std::function<void
     for (scene::Material& material : scene.materials)
         material.emissive = glm::vec3(0.0f);
     const reference::Result sun = reference::trace(scene, &outside.sun, settings, go_on);
-    return {combined(scene, sky, sun, trace.smooth), sky.noise, sun.noise, sky.samples, sun.samples};
+    return {combined(scene, sky, sun, trace.smooth), noise_of(sky), noise_of(sun), sky.samples, sun.samples};
 }
 
 } // namespace lambent

@@ -25,12 +25,6 @@ double kept_energy(Workshop& workshop, int exponent)
     return sum / covered;
 }
 
-// Without the reference's noise, whose squares are known for the whole picture.
-double without_noise(double error, double noise)
-{
-    return std::sqrt(std::max(0.0, error * error - noise * noise));
-}
-
 } // namespace
 
 const char* const approximations_caption =
@@ -54,7 +48,7 @@ Table approximations(Workshop& workshop)
         const Shot matched = reflecting(exponent, "matched");
         Shot limit = matched;
         limit.words += " --samples 1024";
-        const double noise = cut_noise(workshop.reference(matched));
+        const std::optional<double> noise = cut_noise(workshop.reference(matched));
         const image::RadianceImage exact = cut_light(workshop.reference(matched).radiance),
                                    converged = cut_light(workshop.frame(limit).radiance);
         const auto error = [&](const Shot& shot) {

@@ -11,7 +11,7 @@ Picture Desk::proven(const Shot& shot, const std::string& figure)
         return picture;
     Proof proof = workshop.prove(shot);
     picture.numbers.push_back({"error", percent(proof.error)});
-    picture.numbers.push_back({"reference's noise", percent(proof.noise)});
+    picture.numbers.push_back({"reference's noise", noise_text(proof.noise)});
     entries.push_back({figure, std::move(proof)});
     return picture;
 }

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lambent::cli {
 namespace {
@@ -77,9 +78,11 @@ void write_text(const std::string& content, const std::filesystem::path& path)
 
 void print_stats(const ReportArguments& arguments, const report::Desk& desk, const Stopwatch& watch)
 {
-    double error = 0.0;
+    // Without references there is none, and where one is not known neither is the largest.
+    constexpr double unknown = std::numeric_limits<double>::infinity();
+    double noise = desk.entries.empty() ? unknown : 0.0;
     for (const report::Entry& entry : desk.entries)
-        error = std::max(error, entry.proof.noise);
+        noise = std::max(noise, entry.proof.noise.value_or(unknown));
     nlohmann::ordered_json stats = {{"command", "report"},
                                     {"environment", arguments.environment},
                                     {"output", arguments.output},
@@ -87,7 +90,9 @@ void print_stats(const ReportArguments& arguments, const report::Desk& desk, con
                                     {"width", arguments.width},
                                     {"height", arguments.height},
                                     {"references", desk.entries.size()},
-                                    {"reference_noise", error}};
+                                    {"reference_noise", nullptr}};
+    if (std::isfinite(noise))
+        stats["reference_noise"] = noise;
     add_cost(watch, stats);
     print(stats);
 }

@@ -36,8 +36,9 @@ Table error_table(const Desk& desk)
 {
     Table table{{"picture", "error", "reference's noise", "error without the noise", "FLIP"}, {}};
     for (const Entry& entry : desk.entries)
-        table.rows.push_back({entry.figure, percent(entry.proof.error), percent(entry.proof.noise),
-                              percent(entry.proof.beyond_noise()), rounded(entry.proof.flip)});
+        table.rows.push_back({entry.figure, percent(entry.proof.error), noise_text(entry.proof.noise),
+                              percent(without_noise(entry.proof.error, entry.proof.noise)),
+                              rounded(entry.proof.flip)});
     return table;
 }
 
@@ -86,14 +87,14 @@ Curve convergence(Workshop& workshop, const std::string& name, const Shot& shot)
 {
     Curve curve{name, {}, {}};
     const image::RadianceImage exact = cut_light(workshop.reference(shot).radiance);
-    const double noise = cut_noise(workshop.reference(shot));
+    const std::optional<double> noise = cut_noise(workshop.reference(shot));
     for (const int samples : {1, 2, 5, 10, 20, 40, 80, 160, 320}) {
         Shot sampled = shot;
         sampled.words += text(" --samples ", samples);
         const image::RadianceImage drawn = cut_light(workshop.frame(sampled).radiance);
         const double error = compare::difference({drawn, exact}, light_cut).relative_rmse;
         curve.x.push_back(samples);
-        curve.y.push_back(std::sqrt(std::max(1e-6, error * error - noise * noise)));
+        curve.y.push_back(std::max(1e-3, without_noise(error, noise)));
     }
     return curve;
 }

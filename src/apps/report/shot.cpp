@@ -106,4 +106,9 @@ std::string percent(double share)
     return text(rounded(100.0 * share, share >= 0.1 ? 3 : 2), " %");
 }
 
+std::string noise_text(const std::optional<double>& noise)
+{
+    return noise ? percent(*noise) : "not known";
+}
+
 } // namespace lambent::report

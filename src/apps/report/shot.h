@@ -3,6 +3,7 @@
 
 #include "apps/cli/arguments.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,5 +39,8 @@ std::string percent(double share);
 
 /// A number with `digits` significant digits; below 0.0001 with an exponent and one less.
 std::string rounded(double value, int digits = 3);
+
+/// A share as "1.2 %", or "not known".
+std::string noise_text(const std::optional<double>& noise);
 
 } // namespace lambent::report

@@ -53,20 +53,15 @@ image::RadianceImage cut_light(image::RadianceImage light)
     return light;
 }
 
-// Where light is cut its noise is too.
-double cut_noise(const reference::Result& exact)
+// References are traced at exposure 1, where their noise is that of light cut at `light_cut`.
+std::optional<double> cut_noise(const reference::Result& exact)
 {
-    const image::RadianceImage &light = exact.radiance, &variance = exact.variance;
-    double sum = 0.0, mean = 0.0;
-    for (int y = 0; y < light.height; ++y)
-        for (int x = 0; x < light.width; ++x)
-            for (int c = 0; c < 3; ++c) {
-                const float value = light.pixel(x, y)[c];
-                sum += value < light_cut ? static_cast<double>(variance.pixel(x, y)[c]) : 0.0;
-                mean += static_cast<double>(std::min(value, light_cut));
-            }
-    const double count = 3.0 * light.width * light.height;
-    return mean > 0.0 ? std::sqrt(sum / count) / (mean / count) : 0.0;
+    return exact.noise ? std::optional(exact.noise->all) : std::nullopt;
+}
+
+double without_noise(double error, const std::optional<double>& noise)
+{
+    return noise ? std::sqrt(std::max(0.0, error * error - *noise * *noise)) : error;
 }
 
 // A scene and its renderer, which refers to it.
@@ -75,11 +70,6 @@ struct Workshop::Stage {
     scene::Scene scene;
     std::unique_ptr<draw::Renderer> renderer;
 };
-
-double Proof::beyond_noise() const
-{
-    return std::sqrt(std::max(0.0, error * error - noise * noise));
-}
 
 Workshop::Workshop(WorkshopSettings settings) : settings_(std::move(settings)) {}
 

@@ -18,10 +18,10 @@ namespace lambent::report {
 
 struct WorkshopSettings {
     std::string environment = "kitchen";
-    Words size, rotation;         ///< options for every shot; none: what `render` takes
-    bool cache = true;            ///< of environments
-    double noise = 0.02;          ///< of references: stop at this estimated relative error,
-    int samples = 48;             ///< or at so many samples per pixel
+    Words size, rotation; ///< options for every shot; none: what `render` takes
+    bool cache = true;    ///< of environments
+    double noise = 0.02;  ///< of references: stop at this estimated relative error of what surfaces cover,
+    int samples = 48;     ///< or at so many samples per pixel
     std::filesystem::path folder; ///< to be filled with files
     std::function<void(double)>
         progress; ///< told the seconds of work that a thing was reckoned to take, when done
@@ -34,18 +34,20 @@ constexpr float light_cut = 1.0f;
 /// Light so cut.
 image::RadianceImage cut_light(image::RadianceImage light);
 
-/// The estimated error of a reference, its light cut, relative to its mean.
-double cut_noise(const reference::Result& exact);
+/// The estimated error of a reference over all its pixels, its light cut, relative to its mean.
+/// Nothing where it is not known: see reference::Film::noise.
+std::optional<double> cut_noise(const reference::Result& exact);
+
+/// What is left of a relative error without the reference's noise, which is independent of it: their squares differ by
+/// it. Where that is not known, nothing is taken off.
+double without_noise(double error, const std::optional<double>& noise);
 
 /// A picture beside its path-traced reference, both cut.
 struct Proof {
     Picture reference, heat;
-    double error = 0.0; ///< relative RMSE, as `lambent compare` measures it
-    double noise = 0.0; ///< the reference's own, estimated
-    double flip = 0.0;  ///< mean HDR-FLIP
-
-    /// What is left of the error without the reference's noise, which is independent of it.
-    double beyond_noise() const;
+    double error = 0.0;          ///< relative RMSE, as `lambent compare` measures it
+    std::optional<double> noise; ///< the reference's own, estimated
+    double flip = 0.0;           ///< mean HDR-FLIP
 };
 
 class Workshop {

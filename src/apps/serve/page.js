@@ -42,7 +42,7 @@ const percent = part => `${(100 * part).toPrecision(2)} %`;
 
 function tracedStatus(size, { traced, last }) {
     const { samples, noise, error, flip } = traced;
-    return `${size}, traced: ${Math.round(samples)} samples${noise > 0 ? `, noise ${percent(noise)}` : ''}; drawn picture's error ` +
+    return `${size}, traced: ${Math.round(samples)} samples${noise !== undefined ? `, noise ${percent(noise)}` : ''}; drawn picture's error ` +
         `${percent(error)}${flip === undefined ? '' : `, FLIP ${flip.toFixed(3)}`}${last ? '' : ', refining'}`;
 }
 

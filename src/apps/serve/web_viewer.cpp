@@ -238,7 +238,9 @@ void WebPresenter::show(Picture picture)
                                      {"moment", picture.moment},
                                      {"last", picture.is_last}};
     if (const std::optional<Picture::Traced>& traced = picture.traced) {
-        header["traced"] = {{"samples", traced->samples}, {"noise", traced->noise}, {"error", traced->error}};
+        header["traced"] = {{"samples", traced->samples}, {"error", traced->error}};
+        if (traced->noise)
+            header["traced"]["noise"] = *traced->noise;
         if (traced->flip)
             header["traced"]["flip"] = *traced->flip;
     }

@@ -55,8 +55,8 @@ std::string traced_status(const std::string& size, const Shown& shown)
 {
     const viewer::Picture::Traced& traced = *shown.traced;
     std::string line = text(size, ", traced: ", std::lround(traced.samples), " samples");
-    if (traced.noise > 0.0)
-        line += text(", noise ", percent(traced.noise));
+    if (traced.noise)
+        line += text(", noise ", percent(*traced.noise));
     line += text("; drawn picture's error ", percent(traced.error));
     if (traced.flip)
         line += text(", FLIP ", std::setprecision(3), *traced.flip);

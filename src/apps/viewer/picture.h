@@ -25,7 +25,8 @@ struct Picture {
     /// Of Kind::traced.
     struct Traced {
         double samples = 0.0; ///< per pixel
-        double noise = 0.0;   ///< relative RMSE that is expected; 0: not known yet
+        std::optional<double>
+            noise; ///< relative RMSE that is expected where surfaces are, light cut at 1 after exposure, once known
         double error = 0.0; ///< relative RMSE of the drawn picture, both exposed and cut at 1; noise included
         std::optional<double> flip; ///< mean FLIP of the drawn picture as displayed, where that is shown
     };

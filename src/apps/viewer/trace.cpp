@@ -51,7 +51,9 @@ Picture Trace::picture() const
     Picture picture;
     picture.kind = Picture::Kind::traced;
     picture.is_last = finished_;
-    picture.traced = Picture::Traced{result.samples, result.noise, 0.0, std::nullopt};
+    picture.traced = Picture::Traced{result.samples, std::nullopt, 0.0, std::nullopt};
+    if (result.noise)
+        picture.traced->noise = result.noise->covered;
     // Both as far as a display shows them: one lamp in sight would outweigh everything else.
     image::RadianceImage drawn = drawn_, traced = result.radiance;
     for (image::RadianceImage* image : {&drawn, &traced}) {
