@@ -31,7 +31,7 @@ const char* const about =
     "Physically based and image based lighting: pictures of models under the light of real places.";
 const char* const footer =
     "SCENE: a .gltf or .glb file, or sphere, teapot, plane, report, painted, grid, furnace.\n"
-    "'lambent COMMAND --help' lists a command's options.";
+    "'lambent help COMMAND' lists a command's options, which follow it.";
 
 void add_output(Command& app, std::string& output, const std::string& help)
 {
@@ -129,8 +129,8 @@ struct Grammar {
     void add_reference(Command& app)
     {
         reference_command = app.add_subcommand("reference", "The same picture, path-traced");
-        Command& command = reference_command;
-        add_picture(command);
+        add_picture(reference_command);
+        Command command = reference_command.under("Tracing");
         option(command, "--bounces", words.bounces, "N",
                "Bounces of light; 0: direct light without shadows, 1: with shadows (8)");
         option(command, "--spp", words.spp, "N", "Stop at N samples per pixel (1024, if no limit is given)");

@@ -53,12 +53,12 @@ void BakeGrammar::add(Command& app)
                           "A panorama (.hdr, .exr), or kitchen, studio, sky, furnace");
     command_.add_required("-o,--output", arguments_.output, "PATH",
                           "A folder for everything, or the specular cube's FILE.ktx2 or .dds");
-    add_light(command_);
-    add_files(command_);
+    add_light(command_.under("Light"));
+    add_files(command_.under("Files"));
     add_common(command_, common_);
 }
 
-void BakeGrammar::add_light(Command& command)
+void BakeGrammar::add_light(Command command)
 {
     option(command, "--size", size_, "N",
            "Texels along an edge of the specular cube, a power of two to 4096 (256)");
@@ -75,7 +75,7 @@ void BakeGrammar::add_light(Command& command)
     command.add_flag("--no-cache", no_cache_, "vulkan: neither read nor write compiled shaders");
 }
 
-void BakeGrammar::add_files(Command& command)
+void BakeGrammar::add_files(Command command)
 {
     option(command, "--format", format_, "FORMAT", "In a folder: ktx2, dds, exr or hdr (ktx2)");
     option(command, "--texels", texels_, "TYPE", "ktx2, dds: half, float or rgb9e5 (half)");

@@ -18,8 +18,8 @@ public:
     BakeArguments result() const;
 
 private:
-    void add_light(Command& command);
-    void add_files(Command& command);
+    void add_light(Command command);
+    void add_files(Command command);
     void apply_light(BakeArguments& arguments) const;
     void apply_error(environment::BakeOptions& options) const;
     void apply_files(BakeArguments& arguments) const;

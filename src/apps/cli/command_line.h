@@ -12,6 +12,9 @@ class App;
 
 namespace lambent::cli {
 
+/// The heading of the options that all commands have.
+inline constexpr const char* everywhere = "Everywhere";
+
 /// A command while its options are named; the program is one, too. A handle: copies name the same command. The words
 /// that options fill must outlive the parsing.
 class Command {
@@ -20,6 +23,9 @@ public:
     explicit Command(CLI::App& app) : app_(&app) {}
 
     Command add_subcommand(const std::string& name, const std::string& help);
+
+    /// The same command; what is added through this handle stands under a heading of its own in the help.
+    Command under(const std::string& heading) const;
 
     /// Must be given: an option ("-o,--output"), or what stands by itself ("scene"). The help names its `kind`.
     void add_required(const std::string& name, std::string& word, const std::string& kind,
@@ -40,6 +46,7 @@ public:
 
 private:
     CLI::App* app_ = nullptr;
+    std::string heading_ = "Options";
 };
 
 /// What the program says of itself.
@@ -55,8 +62,9 @@ public:
 
     Command program() { return Command(*app_); }
 
-    /// Fills the words. What is to be printed and nothing else, where help or the version is asked for. `words` are
-    /// main's, the program's name first. Throws Error(usage).
+    /// Fills the words. What is to be printed and nothing else, where help or the version is asked for: by --help, or as
+    /// a command of its own, `help [COMMAND]`. `words` are main's, the program's name first. Throws Error(usage), with
+    /// what was probably meant where a command or an option is mistyped.
     std::optional<std::string> parse(int count, const char* const* words);
 
 private:

@@ -35,8 +35,9 @@ void option(Command& app, const std::string& name, std::string& word, const std:
     app.add_option(name, word, kind, help);
 }
 
-void add_common(Command& app, CommonWords& words)
+void add_common(const Command& command, CommonWords& words)
 {
+    Command app = command.under(everywhere);
     option(app, "--threads", words.threads, "N", "Worker threads (one per processor)");
     option(app, "--stats", words.stats, "json",
            "Print what was done and how long it took, as one JSON object");

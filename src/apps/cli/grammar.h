@@ -3,12 +3,14 @@
 
 #include "apps/cli/arguments.h"
 #include "apps/cli/command_line.h"
+#include "base/closest.h"
 #include "base/error.h"
 #include "base/text.h"
 
 #include <initializer_list>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace lambent::cli {
 
@@ -29,7 +31,10 @@ Value choose(const std::string& word, const std::string& option,
             return value;
         known += text(known.empty() ? "" : ", ", name);
     }
-    throw Error(Failure::usage, text(option, ": '", word, "' is none of ", known));
+    std::vector<std::string> names;
+    for (const auto& [name, value] : choices)
+        names.emplace_back(name);
+    throw Error(Failure::usage, text(option, ": '", word, "' is none of ", known, did_you_mean(word, names)));
 }
 
 /// "auto", "cpu" or "vulkan". Throws Error(usage).
@@ -49,7 +54,7 @@ void option(Command& app, const std::string& name, std::string& word, const std:
             const std::string& help);
 
 /// Adds --threads, --stats, --quiet and --verbose.
-void add_common(Command& app, CommonWords& words);
+void add_common(const Command& command, CommonWords& words);
 
 /// What they say. Throws Error(usage).
 CommonOptions common_options(const CommonWords& words);

@@ -9,7 +9,7 @@
 namespace lambent::cli {
 namespace {
 
-void add_view(Command& app, RenderArguments& arguments, PictureWords& words)
+void add_view(Command app, RenderArguments& arguments, PictureWords& words)
 {
     option(app, "--size", words.size, "WxH", "Picture size in pixels (1280x720)");
     option(app, "--camera", words.camera, "AZ,EL[,DIST]",
@@ -24,7 +24,7 @@ void add_view(Command& app, RenderArguments& arguments, PictureWords& words)
     option(app, "--moment", words.moment, "S", "Seconds from its start, at most its duration (0)");
 }
 
-void add_light(Command& app, RenderArguments& arguments, PictureWords& words)
+void add_light(Command app, RenderArguments& arguments, PictureWords& words)
 {
     option(app, "--env", arguments.environment, "ENV",
            "A panorama (.hdr, .exr), or kitchen, studio, sky, furnace, none (kitchen)");
@@ -40,7 +40,7 @@ void add_light(Command& app, RenderArguments& arguments, PictureWords& words)
     app.add_flag("--no-cache", words.no_cache, "Neither read nor write the environment cache");
 }
 
-void add_material(Command& app, PictureWords& words)
+void add_material(Command app, PictureWords& words)
 {
     option(app, "--model", words.model, "MODEL", "ggx, as glTF, or phong, as the report (ggx)");
     option(app, "--roughness", words.roughness, "R",
@@ -56,7 +56,7 @@ void add_material(Command& app, PictureWords& words)
                  "ggx: leave out light scattered more than once");
 }
 
-void add_display(Command& app, RenderArguments& arguments, PictureWords& words)
+void add_display(Command app, RenderArguments& arguments, PictureWords& words)
 {
     option(app, "--exposure", words.exposure, "E", "Factor on the light before the tone curve (1)");
     option(app, "--contrast", words.contrast, "K", "Power on the curve's result (1)");
@@ -219,11 +219,12 @@ std::vector<std::pair<std::string, std::string>> PictureWords::given() const
 void PictureGrammar::add(Command& command)
 {
     command.add_required("scene", arguments_.scene, "SCENE", "A .gltf or .glb, or a built-in scene");
-    add_light(command, arguments_, words_);
-    add_view(command, arguments_, words_);
-    add_material(command, words_);
-    add_display(command, arguments_, words_);
-    option(command, "--backend", words_.backend, "NAME", "auto, cpu, or to draw vulkan (auto)");
+    add_light(command.under("Light"), arguments_, words_);
+    add_view(command.under("View and moment"), arguments_, words_);
+    add_material(command.under("Materials and built-in shapes"), words_);
+    add_display(command.under("From light to pixels"), arguments_, words_);
+    Command same = command.under(everywhere);
+    option(same, "--backend", words_.backend, "NAME", "auto, cpu, or to draw vulkan (auto)");
     add_common(command, words_);
 }
 

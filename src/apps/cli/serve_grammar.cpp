@@ -6,11 +6,12 @@ void ServeGrammar::add(Command& app)
 {
     command_ = app.add_subcommand("serve", "Show a scene in browsers, to be turned and lit");
     picture_.add(command_);
-    option(command_, "--port", port_, "P", "The port to listen at; 0: any that is free (8080)");
-    option(command_, "--host", arguments_.host, "ADDR", "The address to listen at (127.0.0.1)");
-    option(command_, "--token", arguments_.token, "T",
+    Command server = command_.under("Server");
+    option(server, "--port", port_, "P", "The port to listen at; 0: any that is free (8080)");
+    option(server, "--host", arguments_.host, "ADDR", "The address to listen at (127.0.0.1)");
+    option(server, "--token", arguments_.token, "T",
            "What viewers must know; needed where others than this machine can come in");
-    option(command_, "--sessions", sessions_, "N", "Viewers at once (8)");
+    option(server, "--sessions", sessions_, "N", "Viewers at once (8)");
 }
 
 ServeArguments ServeGrammar::result() const
