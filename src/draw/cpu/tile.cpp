@@ -26,16 +26,14 @@ bool same_surface(const Seen& a, const Seen& b, float least_cosine)
            std::fabs(glm::dot(b.point - a.point, a.normal)) < a.pixel_width;
 }
 
-// The share of a surface that is seen, 0 to 1, where its material has the given alpha.
-float shown(const scene::Material& material, float alpha)
+// The share of a surface that is seen, 0 to 1.
+float shown(const scene::Material& material, float opacity)
 {
-    if (material.alpha_mode == scene::AlphaMode::mask)
-        return alpha >= material.alpha_cutoff ? 1.0f : 0.0f;
-    return material.alpha_mode == scene::AlphaMode::blend ? std::clamp(alpha, 0.0f, 1.0f) : 1.0f;
+    return material.alpha_mode == scene::AlphaMode::opaque ? 1.0f : std::clamp(opacity, 0.0f, 1.0f);
 }
 
 // Adds weight * (r, g, b, 1) to a pixel.
-void add(image::RadianceImage& image, const glm::ivec2& at, float weight, const glm::vec3& rgb)
+void add(float* out, float weight, const glm::vec3& rgb)
 {
     float* out = image.pixel(at.x, at.y);
     out[0] += weight * rgb.r;

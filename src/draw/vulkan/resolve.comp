@@ -11,13 +11,9 @@ layout(constant_id = constant_through) const int through = 1;
 const float least_weight = 1.0 / 1024.0; // as draw/prepared_picture.h says
 
 // The share of a surface that is seen, 0 to 1.
-float shown(uint instance, float alpha)
+float shown(uint instance, float opacity)
 {
-    uint material = instances[instance].ids.y;
-    int mode = materials[material].kind.x;
-    if (mode == alpha_mask)
-        return alpha >= materials[material].numbers.w ? 1.0 : 0.0;
-    return mode == alpha_blend ? clamp(alpha, 0.0, 1.0) : 1.0;
+    return materials[instances[instance].ids.y].kind.x == alpha_opaque ? 1.0 : clamp(opacity, 0.0, 1.0);
 }
 
 vec3 picture_light(uint at)

@@ -168,8 +168,9 @@ void SceneOnDevice::place_materials(const vulkan::Device& device, const scene::S
                                     const SceneTextures& textures)
 {
     std::vector<MaterialRecord> records;
-    for (const scene::Material& m : scene.materials) {
-        const MaterialTextures own = textures.of(m);
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        const scene::Material& m = scene.materials[i];
+        const MaterialTextures own = textures.of(i);
         MaterialRecord record{};
         record.base_color = m.base_color;
         record.emissive = vec4(m.emissive, m.normal_scale);
