@@ -248,7 +248,8 @@ bool Path::survives(int bounce)
 Sight Path::follow(const SightRay& sight)
 {
     Sight seen;
-    trace::Ray ray{glm::vec3(sight.origin), glm::vec3(sight.direction)};
+    trace::Ray ray{glm::vec3(sight.origin), glm::vec3(sight.direction), static_cast<float>(sight.near),
+                   static_cast<float>(sight.far)};
     glm::dvec3 direction = sight.direction;
     for (int bounce = 0;; ++bounce) {
         // Without shadows nothing is in the way of what was drawn.

@@ -92,6 +92,9 @@ struct Camera {
     float vertical_fov = 0.0f;  ///< radians; 0 for an orthographic camera
     float vertical_size = 0.0f; ///< metres seen from bottom to top, orthographic only
 };
+    float aspect = 0.0f;        ///< width / height of what is to be seen at least; 0: nothing is said of it
+    float near = 0.0f,
+          far = std::numeric_limits<float>::infinity(); ///< metres ahead between which things are seen
 
 enum class LightKind : std::uint8_t { directional, point, spot };
 

@@ -55,7 +55,7 @@ void load_packet(const Rays& rays, std::size_t first, RTCRayHit16& packet_rays, 
     copy(ray.tnear, rays.near);
     for (std::size_t i = 0; i < packet; ++i) {
         valid[i] = i < count ? -1 : 0;
-        ray.tfar[i] = std::numeric_limits<float>::infinity();
+        ray.tfar[i] = rays.far;
         ray.time[i] = 0.0f;
         ray.mask[i] = ~0u;
         ray.flags[i] = 0;

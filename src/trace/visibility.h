@@ -11,13 +11,15 @@
 
 namespace lambent::trace {
 
-/// Rays, sixteen at a time, one array per component. A ray starts at `near`, in multiples of its direction.
+/// Rays, sixteen at a time, one array per component. A ray starts at `near`, in multiples of its direction; all end at
+/// `far`.
 struct Rays {
     /// Makes room for `count` rays, whose components are then undefined.
     void resize(std::size_t count);
     std::size_t size() const { return near.size(); }
 
     std::vector<float> origin[3], direction[3], near;
+    float far = std::numeric_limits<float>::infinity();
 };
 
 /// One ray, from `near` to `far` in multiples of its direction.

@@ -264,6 +264,21 @@ TEST_F(PictureParity, AThousandLights)
         light.position = box.low + glm::vec3(fraction(7), 0.2f + fraction(13), fraction(31)) * size;
         light.range = 0.1f * glm::length(size);
         light.intensity = 0.002f * glm::vec3(fraction(3), 1.0f, fraction(9));
+// What is nearer or further away is cut off in the middle of things.
+TEST_F(PictureParity, CamerasWithPlanesAndAnAspect)
+{
+    const scene::Scene scene = scene::make_builtin("report");
+    Settings settings = settings_for(scene, Model::ggx);
+    const float distance = glm::length(settings.camera.position);
+    settings.camera.aspect = 3.0f;
+    settings.camera.near = 0.95f * distance;
+    settings.camera.far = 1.1f * distance;
+    expect_parity(scene, settings, "planes");
+    settings.camera.vertical_fov = 0.0f;
+    settings.camera.vertical_size = 1.2f * (scene::bounds(scene).high.y - scene::bounds(scene).low.y);
+    expect_parity(scene, settings, "planes, orthographic");
+}
+
         settings.lights.push_back(light);
     }
     expect_parity(scene, settings, "a thousand lights");

@@ -208,6 +208,56 @@ TEST(GltfCameras, OrthographicAndNamedByTheNode)
     EXPECT_EQ(scene.cameras[0].vertical_size, 3.0f);
 }
 
+TEST(GltfCameras, SayHowWideAndBetweenWhichPlanesTheySee)
+{
+    const auto read = [](const json& camera) {
+        Warnings warnings;
+        const Scene scene = load(with_camera(camera, json::object()), &warnings);
+        EXPECT_TRUE(warnings.empty()) << warnings.front();
+        return scene.cameras.at(0);
+    };
+    const Camera plain = read(lens);
+    EXPECT_EQ(plain.aspect, 0.0f);
+    EXPECT_EQ(plain.near, 0.1f);
+    EXPECT_EQ(plain.far, std::numeric_limits<float>::infinity());
+    json full = lens;
+    full["perspective"]["aspectRatio"] = 1.5;
+    full["perspective"]["zfar"] = 20;
+    EXPECT_EQ(read(full).aspect, 1.5f);
+    EXPECT_EQ(read(full).far, 20.0f);
+    const Camera flat = read({{"type", "orthographic"},
+                              {"orthographic", {{"xmag", 3}, {"ymag", 1.5}, {"znear", 0}, {"zfar", 10}}}});
+    EXPECT_EQ(flat.aspect, 2.0f);
+    EXPECT_EQ(flat.near, 0.0f);
+    EXPECT_EQ(flat.far, 10.0f);
+}
+
+TEST(GltfCameras, WhatMakesNoSenseIsPassedOverWithAWarning)
+{
+    const auto read = [](const json& camera, const char* warning) {
+        Warnings warnings;
+        const Scene scene = load(with_camera(camera, json::object()), &warnings);
+        EXPECT_TRUE(warned_once(warnings, warning)) << warning;
+        return scene.cameras.at(0);
+    };
+    json odd = lens;
+    odd["perspective"]["aspectRatio"] = -2;
+    EXPECT_EQ(read(odd, "camera 0: aspectRatio is none").aspect, 0.0f);
+    odd = lens;
+    odd["perspective"]["zfar"] = 0.05;
+    EXPECT_EQ(read(odd, "camera 0: znear and zfar are no planes").near, 0.0f);
+    odd["perspective"] = {{"yfov", 0.8}, {"znear", -1}};
+    EXPECT_EQ(read(odd, "camera 0: znear and zfar are no planes").near, 0.0f);
+    json flat = {{"type", "orthographic"},
+                 {"orthographic", {{"xmag", -3}, {"ymag", -1.5}, {"znear", 0}, {"zfar", 10}}}};
+    const Camera turned = read(flat, "camera 0: a negative xmag or ymag");
+    EXPECT_EQ(turned.aspect, 2.0f);
+    EXPECT_EQ(turned.vertical_size, 3.0f);
+    flat["orthographic"]["xmag"] = 0;
+    flat["orthographic"]["ymag"] = 1;
+    EXPECT_EQ(read(flat, "camera 0: xmag is no size").aspect, 0.0f);
+}
+
 TEST(GltfCameras, ImpossibleOnesAreRefused)
 {
     const auto broken = [](const json& camera) { return refusal(with_camera(camera, json::object())); };

@@ -16,8 +16,9 @@ void add_view(CLI::App& app, RenderArguments& arguments, PictureWords& words)
            "Degrees around and above the scene, metres from its middle (frames it)");
     option(app, "--target", words.target, "X,Y,Z",
            "The point that --camera, with a distance, is around, metres (the scene's middle)");
-    option(app, "--camera-node", arguments.camera_node, "NAME", "A camera of the glTF");
-    option(app, "--fov", words.fov, "DEG", "Vertical field of view (45)");
+    option(app, "--camera-node", arguments.camera_node, "NAME",
+           "A camera of the glTF, with its own field of view");
+    option(app, "--fov", words.fov, "DEG", "Vertical field of view, 0.1 to 175 (45)");
     option(app, "--aa", words.aa, "N", "Samples per pixel where surfaces end (4)");
     option(app, "--animation", words.animation, "NAME|N",
            "An animation of the glTF, or its number from 0 (none; with --moment 0)");
@@ -86,6 +87,8 @@ void apply_view(const PictureWords& words, RenderArguments& arguments)
             throw Error(Failure::usage, "--target: only with --camera AZ,EL,DIST");
         arguments.target = parse_point(words.target, "--target");
     }
+    if (!words.fov.empty() && !arguments.camera_node.empty())
+        throw Error(Failure::usage, "--fov and --camera-node exclude each other: a camera has its own");
     if (!words.fov.empty())
         arguments.vertical_fov = radians(number_in(words.fov, "--fov", 0.1, 175.0));
     if (!words.aa.empty())
