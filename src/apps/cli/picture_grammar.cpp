@@ -118,6 +118,8 @@ void apply_light(const PictureWords& words, RenderArguments& arguments)
         settings.background = parse_background(words.background, "--background");
     for (const std::string& light : words.lights)
         settings.lights.push_back(parse_light(light, "--light"));
+        arguments.light_places.push_back(light_place(light, "--light"));
+    }
     if (!words.ambient.empty())
         settings.ambient_brightness = number_in(words.ambient, "--ambient-brightness", 0.0, 1.0e6);
     if (!words.samples.empty())

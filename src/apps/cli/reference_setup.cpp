@@ -27,6 +27,7 @@ reference::Settings reference_settings(const ReferenceArguments& arguments, cons
     reference::Settings settings;
     static_cast<view::Picture&>(settings) = arguments.picture.settings;
     settings.camera = choose_camera(arguments.picture, scene);
+    settings.lights = lights_asked(arguments.picture, scene.origin);
     settings.bounces = arguments.bounces;
     settings.seed = arguments.seed;
     if (arguments.seconds)

@@ -26,12 +26,12 @@ std::string as_file(const std::string& name)
 }
 
 // The word of --camera, with the point that --target names.
-Eye eye_of(const std::string& word, const std::optional<glm::vec3>& target)
+Eye eye_of(const std::string& word, const std::optional<glm::dvec3>& target)
 {
     const std::vector<double> numbers = cli::parse_list(word, {2, 3}, "--camera");
     if (numbers.size() == 2)
         return {numbers[0], numbers[1]};
-    return {numbers[0], numbers[1], numbers[2], target ? std::optional(glm::dvec3(*target)) : std::nullopt};
+    return {numbers[0], numbers[1], numbers[2], target};
 }
 
 void set_option(Values& values, const std::string& name, const std::string& word)
@@ -102,7 +102,7 @@ void look_through(Wish& wish, const scene::Scene& scene, const std::string& came
         distance = 0.5 * wider * static_cast<double>(found.vertical_size) / std::tan(0.5 * fov);
     }
     wish.eye = {std::atan2(back.x, back.z) * degrees, std::asin(std::clamp(back.y, -1.0, 1.0)) * degrees,
-                distance, position - distance * back};
+                distance, scene.origin + position - distance * back};
 }
 
 void set_lights(Wish& wish, const std::vector<std::string>& lights)
