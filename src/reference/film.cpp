@@ -5,12 +5,14 @@
 
 namespace lambent::reference {
 
-Film::Film(int width, int height)
+Film::Film(int width, int height, bool unlit)
     : width_(width), height_(height), columns_((width + tile_size - 1) / tile_size),
       rows_((height + tile_size - 1) / tile_size)
 {
     pixels_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     samples_.resize(static_cast<std::size_t>(tile_count()), 0);
+    if (unlit)
+        unlit_.resize(4 * pixels_.size(), 0.0f);
 }
 
 Film::Area Film::area(int tile) const
@@ -33,6 +35,12 @@ void Film::add(int x, int y, int index, const Sight& sight)
     for (int c = 0; c < 3; ++c)
         sums[c] += static_cast<float>(sight.radiance[c]);
     p.coverage += static_cast<float>(sight.coverage);
+    if (!sight.unlit || unlit_.empty())
+        return;
+    float* const own = unlit_.data() + 4 * (&p - pixels_.data());
+    for (int c = 0; c < 3; ++c)
+        own[c] += static_cast<float>(sight.radiance[c]);
+    own[3] += 1.0f;
 }
 
 Film::Estimate Film::estimate(const Pixel& pixel, int samples) const
@@ -103,7 +111,11 @@ image::RadianceImage Film::radiance() const
 {
     image::RadianceImage image{width_, height_, 4, {}};
     image.values.resize(pixels_.size() * 4);
+    image.unlit = unlit_;
     for_each_pixel([&](int x, int y, int samples) {
+        for (std::size_t c = 0; c < 4 && !unlit_.empty(); ++c)
+            image.unlit[4 * static_cast<std::size_t>(&pixel(x, y) - pixels_.data()) + c] /=
+                static_cast<float>(std::max(samples, 1));
         const Estimate e = estimate(pixel(x, y), samples);
         for (int c = 0; c < 3; ++c)
             image.pixel(x, y)[c] = static_cast<float>(e.mean[c]);

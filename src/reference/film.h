@@ -19,8 +19,8 @@ public:
     static constexpr int replicates = 8;
     static constexpr int tile_size = 16;
 
-    /// Throws std::bad_alloc.
-    Film(int width, int height);
+    /// `unlit`: whether some sight may be of surfaces without lighting. Throws std::bad_alloc.
+    Film(int width, int height, bool unlit = false);
 
     struct Area {
         int x, y, width, height;
@@ -63,6 +63,7 @@ private:
 
     int width_, height_, columns_, rows_;
     std::vector<Pixel> pixels_;
+    std::vector<float> unlit_; ///< RGBA sums, as RadianceImage::unlit; empty: none
     std::vector<int> samples_;
 };
 

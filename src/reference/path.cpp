@@ -267,6 +267,7 @@ Sight Path::follow(const SightRay& sight)
         const Surface surface = world_.surfaces->at(hit, direction);
         seen.coverage = 1.0;
         seen.radiance += throughput_ * emitted(hit, surface, bounce);
+        seen.unlit = seen.unlit || (bounce == 0 && surface.unlit);
         if (surface.unlit || (bounce > 0 && bounce >= world_.bounces))
             return seen;
         seen.radiance += scattered(surface);

@@ -116,7 +116,7 @@ void apply_light(const PictureWords& words, RenderArguments& arguments)
             radians(std::remainder(parse_number(words.rotation, "--env-rotation"), 360.0));
     if (!words.background.empty())
         settings.background = parse_background(words.background, "--background");
-    for (const std::string& light : words.lights)
+    for (const std::string& light : words.lights) {
         settings.lights.push_back(parse_light(light, "--light"));
         arguments.light_places.push_back(light_place(light, "--light"));
     }
@@ -191,6 +191,7 @@ void apply_display(const PictureWords& words, RenderArguments& arguments)
     arguments.settings.texel_transfer = !settings.encode ? TexelTransfer::none
                                         : phong          ? TexelTransfer::power_2_2
                                                          : TexelTransfer::srgb;
+    settings.unlit_by_power = arguments.settings.texel_transfer == TexelTransfer::power_2_2;
 }
 
 } // namespace

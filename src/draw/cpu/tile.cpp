@@ -35,7 +35,6 @@ float shown(const scene::Material& material, float opacity)
 // Adds weight * (r, g, b, 1) to a pixel.
 void add(float* out, float weight, const glm::vec3& rgb)
 {
-    float* out = image.pixel(at.x, at.y);
     out[0] += weight * rgb.r;
     out[1] += weight * rgb.g;
     out[2] += weight * rgb.b;
@@ -348,10 +347,14 @@ void TileDrawer::resolve(Frame& frame, const TileArea& area)
                 continue;
             const int pixel = static_cast<int>(fragments_.pixel[at]);
             const glm::ivec2 place(area.x + pixel % area.width, area.y + pixel / area.width);
-            add(frame.radiance, place, weight,
+            float* const out = frame.radiance.pixel(place.x, place.y);
+            if (material.unlit)
+                add(frame.radiance.unlit.data() + (out - frame.radiance.values.data()), weight,
+                    three(emitted_r, at));
+            add(out, weight,
                 three(emitted_r, at) + three(direct_r, at) + three(ambient_r, at) + three(reflected_r, at));
             for (std::size_t i = 0; i < sources.size(); ++i)
-                add(frame.layers[i].image, place, weight, layer_value(sources[i], at));
+                add(frame.layers[i].image.pixel(place.x, place.y), weight, layer_value(sources[i], at));
         }
     }
 }

@@ -25,7 +25,7 @@ vec3 layer_value(int layer, uint at)
 {
     int source = picture.layers[layer / 4][layer % 4];
     int column = source >> 2;
-    if ((source & 3) == read_three)
+    if ((source & 3) == read_three || (source & 3) == read_unlit)
         return load3(column, at);
     float value = load(column, at);
     return vec3((source & 3) == read_root ? sqrt(value) : value);
@@ -67,6 +67,8 @@ vec4 drawn_light(int layer, uvec4 span)
         float weight = record.place.z;
         if (through == 1)
             weight *= shown(record.ids.x, load(column_opacity, at));
+        if (layer >= 0 && (picture.layers[layer / 4][layer % 4] & 3) == read_unlit && load(column_lit, at) > 0.0)
+            continue;
         if (weight > 0.0)
             sum += weight * vec4(layer < 0 ? picture_light(at) : layer_value(layer, at), 1.0);
     }
