@@ -16,11 +16,15 @@ struct Settings {
     /// and after `agx`, which is made for it; the exact sRGB curve after the others. False: codes are the curve's
     /// result itself (the report's "nonlinear" comparison).
     bool encode = true;
+    bool unlit_by_power =
+        false; ///< colours without lighting were decoded by a power of 2.2, not by the sRGB curve
     bool dither =
         false; ///< noise of one code, triangular, the same for every picture, before rounding to 8 bits
 };
 
-/// 8-bit RGB codes of an RGB or RGBA picture, rounded to nearest. NaN and negative light become black, infinite white.
+/// 8-bit RGB codes of an RGB or RGBA picture, rounded to nearest. NaN and negative light become black, infinite white. What it
+/// has without lighting (RadianceImage::unlit) is encoded, no more: whatever exposure, curve and contrast are, a texel comes
+/// out as the code that it is. Where a pixel shows both they are mixed as the light that a display makes of them.
 image::CodeImage to_codes(const image::RadianceImage& light, const Settings& settings);
 
 } // namespace lambent::display

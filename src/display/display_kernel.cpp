@@ -46,6 +46,54 @@ vec3 displayed(const Settings& s, vec3 light)
     return s.encode && !by_power ? srgb_encode(contrasted) : contrasted;
 }
 
+// Light of a code as a display makes it, and the code of that light.
+vec3 light_of_code(const Settings& s, vec3 code)
+{
+    if (!s.encode)
+        return code;
+    return s.unlit_by_power ? power(code, Real(2.2))
+                            : vec3(srgb_decode(code.x), srgb_decode(code.y), srgb_decode(code.z));
+}
+
+vec3 code_of_light(const Settings& s, vec3 light)
+{
+    if (!s.encode)
+        return light;
+    return s.unlit_by_power ? power(light, Real(1.0 / 2.2)) : srgb_encode(light);
+}
+
+// Code values where a share of the light is shown as it is.
+vec3 displayed_with(const Settings& s, vec3 light, vec3 unlit, Real share)
+{
+    constexpr double least = 1.0 / 512.0; // of the rest: less is rounding
+    const Real part = clamp(share, 0.0, 1.0), left = 1.0 - part;
+    const Real scale = select(left > least, 1.0 / max(left, least), 0.0);
+    const vec3 rest = displayed(s, scale * (light - unlit));
+    const vec3 own(min(max(unlit.x, 0.0), part), min(max(unlit.y, 0.0), part), min(max(unlit.z, 0.0), part));
+    const vec3 mixed = code_of_light(s, clamp(left * light_of_code(s, rest) + own, 0.0, 1.0));
+    return select(part > 0.0, mixed, displayed(s, light));
+}
+
+// Pixels of `channels` values each, one plane per value; beyond `count` 0.
+void load_planes(const float* in, int channels, int count, float (*planes)[max_lanes], int used)
+{
+    for (int i = 0; i < count; ++i)
+        for (int c = 0; c < used; ++c)
+            planes[c][i] = in[i * channels + c];
+}
+
+vec3 shown_at(const DisplayRow& row, const Settings& settings, int first, int count)
+{
+    alignas(64) float planes[3][max_lanes] = {};
+    load_planes(row.light + static_cast<ptrdiff_t>(first) * row.channels, row.channels, count, planes, 3);
+    const vec3 light(load(planes[0]), load(planes[1]), load(planes[2]));
+    if (!row.unlit)
+        return displayed(settings, light);
+    alignas(64) float own[4][max_lanes] = {};
+    load_planes(row.unlit + 4 * static_cast<ptrdiff_t>(first), 4, count, own, 4);
+    return displayed_with(settings, light, vec3(load(own[0]), load(own[1]), load(own[2])), load(own[3]));
+}
+
 // Noise in (-1, 1) with a triangular distribution: the sum of two hashes of the place. [Wang 2007, integer hash]
 Real triangular_noise(Int x, int y, int channel)
 {
@@ -76,12 +124,7 @@ HWY_FLATTEN void display_row(const DisplayRow& row, const Settings& settings, ui
     const int lanes = static_cast<int>(lane_count);
     for (int first = 0; first < row.count; first += lanes) {
         const int count = std::min(lanes, row.count - first);
-        alignas(64) float planes[3][max_lanes] = {};
-        const float* in = row.light + static_cast<ptrdiff_t>(first) * row.channels;
-        for (int i = 0; i < count; ++i)
-            for (int c = 0; c < 3; ++c)
-                planes[c][i] = in[i * row.channels + c];
-        const vec3 shown = displayed(settings, vec3(load(planes[0]), load(planes[1]), load(planes[2])));
+        const vec3 shown = shown_at(row, settings, first, count);
         const Int x = hn::Iota(IntTag(), first);
         const Real values[3] = {shown.x, shown.y, shown.z};
         for (int c = 0; c < 3; ++c) {

@@ -13,6 +13,7 @@ struct DisplayRow {
     int channels;
     int count;
     int y;
+    const float* unlit = nullptr; ///< RGBA of each pixel, as RadianceImage::unlit; null: none
 };
 void display_row(const DisplayRow& row, const Settings& settings, std::uint8_t* codes);
 

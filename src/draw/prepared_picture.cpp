@@ -108,10 +108,13 @@ std::vector<LightSource> light_sources(std::span<const scene::Light> lights,
     return sources;
 }
 
-Frame blank_frame(const Settings& settings)
+Frame blank_frame(const Settings& settings, const scene::Scene& scene)
 {
     Frame frame;
     frame.radiance = blank(settings.width, settings.height);
+    if (std::any_of(scene.materials.begin(), scene.materials.end(),
+                    [](const scene::Material& material) { return material.unlit; }))
+        frame.radiance.unlit = frame.radiance.values;
     if (!settings.layers)
         return frame;
     for (const LayerSource& source : layer_sources(settings.model))

@@ -41,8 +41,9 @@ struct PreparedPicture {
 std::vector<LightSource> light_sources(std::span<const scene::Light> lights,
                                        std::span<const scene::Light> more);
 
-/// A picture of the settings' size with nothing in it, and its layers where they are asked for.
-Frame blank_frame(const Settings& settings);
+/// A picture of the settings' size with nothing in it, with room for what materials without lighting show if there are some,
+/// and its layers where they are asked for.
+Frame blank_frame(const Settings& settings, const scene::Scene& scene);
 
 /// What is left of a ray behind transparent surfaces is not worth following below this, nor further than this many.
 constexpr float least_weight = 1.0f / 1024.0f;

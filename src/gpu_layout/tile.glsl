@@ -42,6 +42,7 @@ const int background_blurred = 3;
 const int read_one = 0;
 const int read_three = 1;
 const int read_root = 2;
+const int read_unlit = 3; // three, of what no pass gives light
 
 const int most_layers = 16; // of a picture, with the background
 

@@ -15,6 +15,10 @@ struct RadianceImage {
     int channels = 3;          ///< 3 (RGB) or 4 (RGB and coverage; RGB is what arrives, multiplied by it)
     std::vector<float> values; ///< width * height * channels
 
+    /// Of a drawn picture, RGBA: what of `values` comes from surfaces without lighting, which are shown in their own colour
+    /// whatever exposure and tone curve are; and their share of the pixel, by which that is multiplied. Empty: none.
+    std::vector<float> unlit = {};
+
     float* pixel(int x, int y) { return values.data() + offset(x, y); }
     const float* pixel(int x, int y) const { return values.data() + offset(x, y); }
 

@@ -6,12 +6,14 @@
 
 namespace lambent::reference {
 
-Film::Film(int width, int height, double cut)
+Film::Film(int width, int height, double cut, bool unlit)
     : width_(width), height_(height), columns_((width + tile_size - 1) / tile_size),
       rows_((height + tile_size - 1) / tile_size), cut_(cut)
 {
     pixels_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     tiles_.resize(static_cast<std::size_t>(tile_count()));
+    if (unlit)
+        unlit_.resize(4 * pixels_.size(), 0.0f);
 }
 
 Film::Area Film::area(int tile) const
@@ -32,6 +34,12 @@ void Film::add(int x, int y, int number, const Sight& sight)
         p.sums[static_cast<std::size_t>(c)][static_cast<std::size_t>(number % replicates)] +=
             static_cast<float>(sight.radiance[c]);
     p.coverage += static_cast<float>(sight.coverage);
+    if (!sight.unlit || unlit_.empty())
+        return;
+    float* const own = unlit_.data() + 4 * (&p - pixels_.data());
+    for (int c = 0; c < 3; ++c)
+        own[c] += static_cast<float>(sight.radiance[c]);
+    own[3] += 1.0f;
 }
 
 void Film::Totals::add(const Totals& more)
@@ -144,8 +152,11 @@ image::RadianceImage Film::radiance() const
 {
     image::RadianceImage image{width_, height_, 4, {}};
     image.values.resize(pixels_.size() * 4);
+    image.unlit = unlit_;
     for_each_pixel([&](int x, int y, int samples) {
         const Pixel& p = pixels_[index(x, y)];
+        for (std::size_t c = 0; c < 4 && !unlit_.empty(); ++c)
+            image.unlit[4 * index(x, y) + c] /= static_cast<float>(samples);
         for (std::size_t c = 0; c < 3; ++c)
             image.pixel(x, y)[c] = static_cast<float>(estimate(p.sums[c], samples, cut_).mean);
         image.pixel(x, y)[3] = p.coverage / static_cast<float>(samples);

@@ -27,8 +27,9 @@ public:
     /// one standard deviation: an eighth of its root.
     static constexpr double least_pixels = 30.0;
 
-    /// `cut`: values above it count as this, in what is said of noise. Throws std::bad_alloc.
-    Film(int width, int height, double cut);
+    /// `cut`: values above it count as this, in what is said of noise. `unlit`: whether some sight may be of surfaces
+    /// without lighting. Throws std::bad_alloc.
+    Film(int width, int height, double cut, bool unlit = false);
 
     struct Area {
         int x, y, width, height;
@@ -97,6 +98,7 @@ private:
     double cut_;
     std::vector<Pixel> pixels_;
     std::vector<Tile> tiles_;
+    std::vector<float> unlit_; ///< RGBA sums, as RadianceImage::unlit; empty: none
 };
 
 } // namespace lambent::reference

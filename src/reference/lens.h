@@ -5,12 +5,14 @@
 
 #include <glm/ext/vector_double3.hpp>
 
+#include <limits>
 #include <optional>
 
 namespace lambent::reference {
 
 struct SightRay {
-    glm::dvec3 origin{0.0}, direction{0.0}; ///< direction of unit length
+    glm::dvec3 origin{0.0}, direction{0.0};                           ///< direction of unit length
+    double near = 0.0, far = std::numeric_limits<double>::infinity(); ///< along it, metres
 };
 
 /// A camera, or all directions from one point.

@@ -1,6 +1,7 @@
 #include "reference/path.h"
 
 #include "reference/light_arrival.h"
+#include "reference/obstacles.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -10,9 +11,6 @@
 
 namespace lambent::reference {
 namespace {
-
-// A ray that has gone through so many backs and transparent layers sees nothing any more.
-constexpr int most_layers = 256;
 
 // Paths are as long as asked for up to here; then only some go on, for those that end. [Arvo and Kirk 1990]
 constexpr int least_bounces = 3;
@@ -45,9 +43,6 @@ public:
     Sight follow(const SightRay& sight);
 
 private:
-    trace::Hit nearest(trace::Ray ray, int bounce) const;
-    trace::Hit find(trace::Ray ray, int bounce);
-    double passing(trace::Ray ray) const;
     struct Candidate;
     Candidate candidate(const Surface& surface, const Reflection& reflection, const glm::dvec2& u) const;
     glm::dvec3 light_from(const Surface& surface, const Reflection& reflection, const glm::dvec2& u);
@@ -69,51 +64,6 @@ private:
     double candidates_ = 1.0;    ///< of the last point, for the environment's light
     glm::dvec3 last_{0.0};       ///< the point before
 };
-
-trace::Hit Path::nearest(trace::Ray ray, int bounce) const
-{
-    const trace::Hit hit = world_.visibility->nearest(ray);
-    if (bounce > 0 || !world_.lines)
-        return hit;
-    if (hit.found())
-        ray.far = hit.distance;
-    const trace::Hit line = world_.lines->nearest(ray);
-    return line.found() ? line : hit;
-}
-
-// The first surface that is there for this ray: not a culled back, and not the part that alpha lets through.
-trace::Hit Path::find(trace::Ray ray, int bounce)
-{
-    for (int layer = 0; layer < most_layers; ++layer) {
-        const trace::Hit hit = nearest(ray, bounce);
-        if (!hit.found())
-            return hit;
-        if (!world_.surfaces->is_culled(hit)) {
-            const double opacity = world_.surfaces->opacity(hit);
-            if (opacity >= 1.0 || (opacity > 0.0 && sampler_.random() < opacity))
-                return hit;
-        }
-        ray.near = hit.distance * (1.0f + 1e-5f) + 1e-30f;
-    }
-    return {};
-}
-
-// Share of the light that gets along a ray.
-double Path::passing(trace::Ray ray) const
-{
-    double left = 1.0;
-    for (int layer = 0; layer < most_layers; ++layer) {
-        const trace::Hit hit = world_.visibility->nearest(ray);
-        if (!hit.found())
-            return left;
-        if (!world_.surfaces->is_culled(hit))
-            left *= 1.0 - world_.surfaces->opacity(hit);
-        if (!(left > 0.0))
-            return 0.0;
-        ray.near = hit.distance * (1.0f + 1e-5f) + 1e-30f;
-    }
-    return 0.0;
-}
 
 // Whether the triangle itself is in the way, though the smooth surface is not.
 bool Path::below(const Surface& surface, const glm::dvec3& direction) const
@@ -163,10 +113,10 @@ glm::dvec3 Path::light_from(const Surface& surface, const Reflection& reflection
     }
     if (!(chosen.size > 0.0))
         return glm::dvec3(0.0);
-    const double way =
-        world_.bounces == 0
-            ? 1.0
-            : passing({start_beside(surface.position, surface.geometric), glm::vec3(chosen.direction)});
+    const double way = world_.bounces == 0
+                           ? 1.0
+                           : passing(world_, {start_beside(surface.position, surface.geometric),
+                                              glm::vec3(chosen.direction)});
     return (way * total / (candidates_ * chosen.size)) * chosen.light;
 }
 
@@ -189,7 +139,7 @@ glm::dvec3 Path::light_from_emitters(const Surface& surface, const Reflection& r
         return value;
     trace::Ray ray{start_beside(surface.position, surface.geometric), glm::vec3(direction)};
     ray.far = static_cast<float>(distance * (1.0 - 1e-4));
-    const double there = passing(ray) * world_.surfaces->opacity(drawn.hit);
+    const double there = passing(world_, ray) * world_.surfaces->opacity(drawn.hit);
     if (!(there > 0.0))
         return glm::dvec3(0.0);
     const double density = drawn.density * distance * distance / std::fabs(cosine);
@@ -198,9 +148,12 @@ glm::dvec3 Path::light_from_emitters(const Surface& surface, const Reflection& r
     return (there * weight / density) * value * world_.surfaces->at(drawn.hit, direction).emitted;
 }
 
-// What a surface that was met sends by itself: after a bounce, the part that light_from_emitters leaves to this.
+// What a surface that was met sends by itself: after a bounce, the part that light_from_emitters leaves to this. Backs of
+// one-sided surfaces shine as little as they are seen.
 glm::dvec3 Path::emitted(const trace::Hit& hit, const Surface& surface, int bounce) const
 {
+    if (world_.surfaces->is_culled(hit))
+        return glm::dvec3(0.0);
     const double by_area = world_.emitters && !surface.unlit ? world_.emitters->density(hit.instance) : 0.0;
     if (bounce == 0 || !(by_area > 0.0) || world_.strategy == Strategy::reflections_only)
         return surface.emitted;
@@ -221,7 +174,7 @@ glm::dvec3 Path::lamp(const scene::Light& light, const Surface& surface, const R
         return value * arrival.illuminance;
     trace::Ray ray{start_beside(surface.position, surface.geometric), glm::vec3(arrival.direction)};
     ray.far = static_cast<float>(arrival.distance);
-    return passing(ray) * value * arrival.illuminance;
+    return passing(world_, ray) * value * arrival.illuminance;
 }
 
 // All lights without size, or one of many for all of them.
@@ -295,12 +248,15 @@ bool Path::survives(int bounce)
 Sight Path::follow(const SightRay& sight)
 {
     Sight seen;
-    trace::Ray ray{glm::vec3(sight.origin), glm::vec3(sight.direction)};
+    trace::Ray ray{glm::vec3(sight.origin), glm::vec3(sight.direction), static_cast<float>(sight.near),
+                   static_cast<float>(sight.far)};
     glm::dvec3 direction = sight.direction;
     for (int bounce = 0;; ++bounce) {
         // Without shadows nothing is in the way of what was drawn.
         const bool open = bounce > 0 && world_.bounces == 0;
-        const trace::Hit hit = open ? trace::Hit() : find(ray, bounce);
+        const trace::Hit hit =
+            open ? trace::Hit()
+                 : first_obstacle(world_, ray, bounce == 0 ? RayOf::camera : RayOf::light, sampler_);
         if (!hit.found()) {
             if (bounce == 0)
                 seen.radiance = background(direction);
@@ -311,6 +267,7 @@ Sight Path::follow(const SightRay& sight)
         const Surface surface = world_.surfaces->at(hit, direction);
         seen.coverage = 1.0;
         seen.radiance += throughput_ * emitted(hit, surface, bounce);
+        seen.unlit = seen.unlit || (bounce == 0 && surface.unlit);
         if (surface.unlit || (bounce > 0 && bounce >= world_.bounces))
             return seen;
         seen.radiance += scattered(surface);

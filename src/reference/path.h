@@ -29,7 +29,8 @@ struct World {
     view::Model model = view::Model::ggx;
     bool energy_compensation = true;
     view::Background background;
-    int bounces = 8; ///< 0: light that arrives directly, without shadows
+    bool has_unlit = false; ///< whether there are surfaces without lighting
+    int bounces = 8;        ///< 0: light that arrives directly, without shadows
     Strategy strategy = Strategy::both;
 };
 
@@ -37,6 +38,7 @@ struct World {
 struct Sight {
     glm::dvec3 radiance{0.0};
     double coverage = 0.0;
+    bool unlit = false; ///< the surface seen is one without lighting
 };
 
 /// One sample of what a ray of sight sees: an unbiased estimate, noise and all.

@@ -22,7 +22,7 @@ public:
     /// The point that a ray of unit direction has met.
     Surface at(const trace::Hit& hit, const glm::dvec3& direction) const;
 
-    /// Whether rays that meet this go on: the back of a surface that has only a front.
+    /// Whether rays of sight that meet this go on: the back of a surface that has only a front.
     bool is_culled(const trace::Hit& hit) const;
 
     /// Share of the surface that is there, 0 to 1, by its material's alpha. 1 without a look at textures where opaque.

@@ -29,7 +29,7 @@ public:
         : world_(world), settings_(settings),
           lens_(settings.panorama_from ? Lens(*settings.panorama_from, settings.width, settings.height)
                                        : Lens(settings.camera, settings.width, settings.height)),
-          film_(settings.width, settings.height, settings.cut),
+          film_(settings.width, settings.height, settings.cut, world.has_unlit),
           order_(scattered_tiles(film_.columns(), film_.rows()))
     {
     }
@@ -221,6 +221,8 @@ struct Tracing::Parts {
         world.emitters = emitters.empty() ? nullptr : &emitters;
         world.lights = scene.lights;
         world.lights.insert(world.lights.end(), settings.lights.begin(), settings.lights.end());
+        for (const scene::Material& material : scene.materials)
+            world.has_unlit = world.has_unlit || material.unlit;
         world.model = settings.model;
         world.energy_compensation = settings.energy_compensation;
         world.background = settings.background;

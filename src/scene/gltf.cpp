@@ -42,7 +42,9 @@ struct GltfFile::Opened {
     {
     }
 
-    Stage stage(const std::optional<Moment>& moment, const ShapeStore& shapes, Warnings& warnings) const;
+    Stage stage(const std::optional<Moment>& moment, const glm::dvec3& from, const ShapeStore& shapes,
+                Warnings& warnings) const;
+    Stage rest_stage(const ShapeStore& shapes, Warnings& warnings) const;
     void find_rest() const;
 
     std::vector<std::uint8_t> bytes; ///< of the file, unless the caller has them
@@ -54,6 +56,7 @@ struct GltfFile::Opened {
     mutable std::once_flag rest_found;
     mutable StillShapes still;
     mutable Bounds rest_bounds;
+    mutable glm::dvec3 origin{0.0};
 
 private:
     GltfSource with_bytes(GltfSource source) const
@@ -63,12 +66,15 @@ private:
     }
 };
 
-Stage GltfFile::Opened::stage(const std::optional<Moment>& moment, const ShapeStore& shapes,
-                              Warnings& warnings) const
+// Everything relative to the point `from` of the world.
+Stage GltfFile::Opened::stage(const std::optional<Moment>& moment, const glm::dvec3& from,
+                              const ShapeStore& shapes, Warnings& warnings) const
 {
-    const NodeTree nodes = build_node_tree(document, pose_of(document, animations, moment), warnings);
+    NodeTree nodes = build_node_tree(document, pose_of(document, animations, moment), warnings);
+    move_origin(nodes, from);
     DrawnMeshes drawn = read_meshes(document, nodes, shapes, warnings);
     Stage stage;
+    stage.scene.origin = from;
     stage.scene.meshes = std::move(drawn.meshes);
     stage.scene.instances = std::move(drawn.instances);
     stage.scene.materials = std::move(drawn.materials.materials);
@@ -79,13 +85,33 @@ Stage GltfFile::Opened::stage(const std::optional<Moment>& moment, const ShapeSt
     return stage;
 }
 
+// As it stands, from its origin. Where that is, is found by looking at it from the world's first; what is very far away is
+// seen there in steps of metres or more, and found more exactly from nearer.
+Stage GltfFile::Opened::rest_stage(const ShapeStore& shapes, Warnings& warnings) const
+{
+    constexpr int most_looks = 4;
+    glm::dvec3 from(0.0);
+    Stage stage = this->stage(std::nullopt, from, shapes, warnings);
+    for (int look = 1; look < most_looks; ++look) {
+        const glm::dvec3 further = better_origin(bounds(stage.scene));
+        if (further == glm::dvec3(0.0))
+            break;
+        from += further;
+        Warnings said;
+        stage = this->stage(std::nullopt, from, shapes, said);
+    }
+    return stage;
+}
+
 void GltfFile::Opened::find_rest() const
 {
     // Isolated: a task of another pose, run while this one waits, would wait for itself.
     tbb::this_task_arena::isolate([&] {
         std::call_once(rest_found, [&] {
             Warnings unread;
-            rest_bounds = bounds(stage(std::nullopt, {nullptr, &still}, unread).scene);
+            const Stage rest = rest_stage({nullptr, &still}, unread);
+            rest_bounds = bounds(rest.scene);
+            origin = rest.scene.origin;
         });
     });
 }
@@ -122,7 +148,8 @@ Scene GltfFile::scene(const std::optional<Moment>& moment, Warnings& warnings) c
         opened_->find_rest();
         shapes.known = &opened_->still;
     }
-    Stage stage = opened_->stage(moment, shapes, warnings);
+    Stage stage = moment ? opened_->stage(moment, opened_->origin, shapes, warnings)
+                         : opened_->rest_stage(shapes, warnings);
     if (moment)
         stage.scene.rest_bounds = opened_->rest_bounds;
     stage.scene.images = read_images(opened_->document, stage.images);
@@ -135,7 +162,7 @@ Scene GltfFile::pose(const Moment& moment) const
 {
     opened_->find_rest();
     Warnings unread;
-    Stage stage = opened_->stage(moment, {&opened_->still, nullptr}, unread);
+    Stage stage = opened_->stage(moment, opened_->origin, {&opened_->still, nullptr}, unread);
     stage.scene.rest_bounds = opened_->rest_bounds;
     return std::move(stage.scene);
 }

@@ -18,7 +18,9 @@ namespace lambent::scene {
 ///
 /// The scene is as it stands: morph targets are applied at their default weights, skins as their joints are, and no
 /// animation plays. Missing normals become flat, tangents are made where a normal texture needs them.
-/// Meshes, materials and images that the scene does not show are left out.
+/// Meshes, materials and images that the scene does not show are left out. Transforms are worked out in double; where the
+/// scene is far from the origin for its size, its places are relative to its middle (Scene::origin), at every moment to that
+/// of the scene as it stands.
 ///
 /// Buffers and images may be inside the file or beside it. A uri is percent-decoded and must lead to the
 /// folder of the glTF or below: absolute paths, schemes other than data:, and paths that leave by ".." are

@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace lambent::scene {
@@ -48,6 +49,41 @@ Camera read_lens(const Document& document, int index)
             document.fail("camera ", index, ": ymag ", source.orthographic.ymag, " is no size");
     }
     return camera;
+}
+
+// Whether the planes make sense; far may be infinite.
+bool are_planes(double nearest, double near, double far)
+{
+    return std::isfinite(near) && near >= nearest && far > near;
+}
+
+// What a camera says besides the height of what it sees. [glTF 2.0, 3.10.3]
+void read_extent(const Document& document, int index, Camera& camera, Warnings& warnings)
+{
+    const tinygltf::Camera& source = document.model.cameras[at(index)];
+    const auto warn = [&](const char* what) {
+        warnings.push_back(text(document.file, ": camera ", index, ": ", what));
+    };
+    const bool perspective = source.type == "perspective";
+    const auto& p = source.perspective;
+    const auto& o = source.orthographic;
+    // An aspect of 0 is none given, as tinygltf has it.
+    const double aspect = perspective ? p.aspectRatio : std::abs(o.xmag / o.ymag);
+    if (!perspective && (o.xmag < 0.0 || o.ymag < 0.0))
+        warn("a negative xmag or ymag would mirror the picture: read as positive");
+    if (static_cast<float>(aspect) > 0.0f && std::isfinite(static_cast<float>(aspect)))
+        camera.aspect = static_cast<float>(aspect);
+    else if (!perspective || aspect != 0.0)
+        warn(perspective ? "aspectRatio is none: passed over" : "xmag is no size: passed over");
+    const double near = perspective ? p.znear : o.znear;
+    const double given = perspective ? p.zfar : o.zfar;
+    const double far = perspective && given == 0.0 ? std::numeric_limits<double>::infinity() : given;
+    if (!are_planes(0.0, near, far)) {
+        warn("znear and zfar are no planes one behind the other: passed over");
+        return;
+    }
+    camera.near = static_cast<float>(near);
+    camera.far = static_cast<float>(far);
 }
 
 // Index of the light that a node carries; -1 for none.
@@ -114,6 +150,7 @@ std::vector<Camera> read_cameras(const Document& document, const NodeTree& nodes
         if (source.camera < 0)
             continue;
         Camera camera = read_lens(document, source.camera);
+        read_extent(document, source.camera, camera, warnings);
         if (!source.name.empty())
             camera.name = source.name;
         if (camera.name.empty())

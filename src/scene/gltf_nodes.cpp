@@ -200,4 +200,10 @@ NodeTree build_node_tree(const Document& document, Pose pose, Warnings& warnings
     return tree;
 }
 
+void move_origin(NodeTree& nodes, const glm::dvec3& origin)
+{
+    for (glm::dmat4& world : nodes.world)
+        world[3] -= glm::dvec4(origin, 0.0);
+}
+
 } // namespace lambent::scene

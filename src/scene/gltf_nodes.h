@@ -39,4 +39,7 @@ struct NodeTree {
 /// Rotations that are not of unit length are normalised, with one warning.
 NodeTree build_node_tree(const Document& document, Pose pose, Warnings& warnings);
 
+/// Makes all world transforms relative to a point of the world.
+void move_origin(NodeTree& nodes, const glm::dvec3& origin);
+
 } // namespace lambent::scene

@@ -113,6 +113,20 @@ Bounds bounds(const Scene& scene)
     return box;
 }
 
+glm::dvec3 better_origin(const Bounds& bounds)
+{
+    constexpr double far_away = 64.0;
+    if (!(bounds.low.x <= bounds.high.x))
+        return glm::dvec3(0.0);
+    const glm::dvec3 low(bounds.low), high(bounds.high), middle = 0.5 * (low + high);
+    const double radius = 0.5 * glm::length(high - low);
+    if (!(glm::length(middle) > far_away * radius))
+        return glm::dvec3(0.0);
+    // In steps of about the scene's size: what was round stays round.
+    const double step = radius > 0.0 ? std::exp2(std::ceil(std::log2(radius))) : 0.0;
+    return step > 0.0 ? step * glm::round(middle / step) : middle;
+}
+
 Bounds framed_bounds(const Scene& scene)
 {
     const bool rests = scene.rest_bounds && scene.rest_bounds->low.x <= scene.rest_bounds->high.x;

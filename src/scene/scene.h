@@ -2,6 +2,7 @@
 // Right-handed, +Y up, metres. Colours are linear RGB with Rec. 709 primaries. Angles are radians.
 #pragma once
 
+#include <glm/ext/vector_double3.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
@@ -99,6 +100,9 @@ struct Camera {
     glm::mat4 transform{1.0f};  ///< world from camera; rotation and translation only
     float vertical_fov = 0.0f;  ///< radians; 0 for an orthographic camera
     float vertical_size = 0.0f; ///< metres seen from bottom to top, orthographic only
+    float aspect = 0.0f;        ///< width / height of what is to be seen at least; 0: nothing is said of it
+    float near = 0.0f,
+          far = std::numeric_limits<float>::infinity(); ///< metres ahead between which things are seen
 };
 
 enum class LightKind : std::uint8_t { directional, point, spot };
@@ -125,7 +129,9 @@ struct AnimationInfo {
     double seconds = 0.0; ///< duration: the time of its last key; finite, not negative
 };
 
+/// All places are relative to `origin`: a scene that lies far from the world's own keeps its digits.
 struct Scene {
+    glm::dvec3 origin{0.0}; ///< in the world, metres; 0 but for scenes that are far away
     std::vector<Mesh> meshes;
     std::vector<Instance> instances;
     std::vector<Material> materials;      ///< never empty
@@ -152,9 +158,14 @@ struct LineCount {
 };
 LineCount line_count(const Scene& scene);
 
-/// Smallest box around every instance in the world; low > high for an empty scene. Where looking at every vertex of every
-/// instance would take seconds, meshes that are shown often count as their boxes.
+/// Smallest box around every instance, relative to the scene's origin; low > high for an empty scene. Where looking at every
+/// vertex of every instance would take seconds, meshes that are shown often count as their boxes.
 Bounds bounds(const Scene& scene);
+
+/// Where the origin of a scene in this box should be, from where it is now: near its middle where that is further away than 64
+/// times half its diagonal, else where it is. Nearer, floats of 24 bits still place things to 2^-18 of the scene's size, less
+/// than a hundredth of a pixel.
+glm::dvec3 better_origin(const Bounds& bounds);
 
 /// The box that a camera frames: rest_bounds, if something is in it, so that pictures of one animation are seen from one
 /// place; else the scene's own.

@@ -97,7 +97,8 @@ Ray Rays::at(std::size_t index) const
 {
     return {{origin[0][index], origin[1][index], origin[2][index]},
             {direction[0][index], direction[1][index], direction[2][index]},
-            near[index]};
+            near[index],
+            far};
 }
 
 Visibility::Visibility(const scene::Scene& scene) : scene_(scene)

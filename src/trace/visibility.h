@@ -17,7 +17,8 @@ struct Ray {
     float near = 0.0f, far = std::numeric_limits<float>::infinity();
 };
 
-/// Rays, sixteen at a time, one array per component. A ray starts at `near`, in multiples of its direction.
+/// Rays, sixteen at a time, one array per component. A ray starts at `near`, in multiples of its direction; all end at
+/// `far`.
 struct Rays {
     /// Makes room for `count` rays, whose components are then undefined.
     void resize(std::size_t count);
@@ -25,6 +26,7 @@ struct Rays {
     Ray at(std::size_t index) const;
 
     std::vector<float> origin[3], direction[3], near;
+    float far = std::numeric_limits<float>::infinity();
 };
 
 /// Where a ray ends. The point is origin + distance * direction; u and v weigh corners 1 and 2 of the triangle.

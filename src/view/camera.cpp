@@ -54,19 +54,27 @@ Camera from_scene(const scene::Camera& camera)
     result.position = glm::vec3(camera.transform[3]);
     result.vertical_fov = camera.vertical_fov;
     result.vertical_size = camera.vertical_size;
+    result.aspect = camera.aspect;
+    result.near = camera.near;
+    result.far = camera.far;
     return result;
 }
 
 RayMap ray_map(const Camera& camera, int width, int height)
 {
     const bool orthographic = camera.vertical_fov <= 0.0f;
-    const float extent = orthographic ? camera.vertical_size : 2.0f * std::tan(camera.vertical_fov / 2.0f);
+    float extent = orthographic ? camera.vertical_size : 2.0f * std::tan(camera.vertical_fov / 2.0f);
+    const float aspect = static_cast<float>(width) / static_cast<float>(height);
+    if (camera.aspect > aspect)
+        extent *= camera.aspect / aspect;
     const float pixel = extent / static_cast<float>(height);
     const glm::vec3 dx = pixel * camera.right, dy = -pixel * camera.up;
     const glm::vec3 corner = -0.5f * (static_cast<float>(width) * dx + static_cast<float>(height) * dy);
     RayMap map;
     map.origin = camera.position;
     map.direction = -camera.back;
+    map.near = camera.near;
+    map.far = camera.far;
     if (orthographic) {
         map.origin += corner;
         map.origin_dx = dx;

@@ -5,6 +5,8 @@
 
 #include <glm/vec3.hpp>
 
+#include <limits>
+
 namespace lambent::view {
 
 /// A pose and a projection. right, up and back are orthonormal; the camera looks along -back.
@@ -15,6 +17,11 @@ struct Camera {
     glm::vec3 back{0.0f, 0.0f, 1.0f};
     float vertical_fov = 0.7853982f; ///< radians, in (0, pi); 0 for an orthographic camera
     float vertical_size = 0.0f;      ///< metres from bottom to top, orthographic only
+    /// Width / height of what is seen whatever the picture's own: more is seen above and below where that is narrower. 0:
+    /// what is seen from bottom to top never changes.
+    float aspect = 0.0f;
+    float near = 0.0f,
+          far = std::numeric_limits<float>::infinity(); ///< metres ahead between which things are seen
 };
 
 /// An orbit: where the camera stands, seen from the point it looks at.
@@ -36,6 +43,8 @@ Camera from_scene(const scene::Camera& camera);
 struct RayMap {
     glm::vec3 origin{0.0f}, origin_dx{0.0f}, origin_dy{0.0f};
     glm::vec3 direction{0.0f}, direction_dx{0.0f}, direction_dy{0.0f};
+    float near = 0.0f,
+          far = std::numeric_limits<float>::infinity(); ///< in multiples of the direction, as the camera's
     bool operator==(const RayMap& other) const = default;
 };
 RayMap ray_map(const Camera& camera, int width, int height);

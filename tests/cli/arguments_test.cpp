@@ -68,7 +68,9 @@ TEST(Arguments, OneRoughnessIsForGgxAlone)
 TEST(Arguments, ATargetNeedsADistance)
 {
     const RenderArguments a = render({"--camera", "10,20,3", "--target", "-1,2,-3"});
-    EXPECT_EQ(a.target, glm::vec3(-1.0f, 2.0f, -3.0f));
+    EXPECT_EQ(a.target, glm::dvec3(-1.0, 2.0, -3.0));
+    EXPECT_EQ(render({"--camera", "10,20,3", "--target", "4500000.25,0.1,100000000.125"}).target,
+              glm::dvec3(4500000.25, 0.1, 100000000.125));
     EXPECT_FALSE(render({"--camera", "10,20,3"}).target);
     EXPECT_NE(render_refusal({"--camera", "10,20", "--target", "1,2,3"}), "");
     EXPECT_NE(render_refusal({"--target", "1,2,3"}), "");
@@ -198,6 +200,7 @@ TEST(Arguments, EveryOptionOfTheContractIsTaken)
     EXPECT_EQ(a.settings.ambient_brightness, 2.0f);
     EXPECT_EQ(a.settings.edge_samples, 8);
     ASSERT_EQ(a.settings.lights.size(), 2u);
+    ASSERT_EQ(a.light_places.size(), 2u);
     const scene::Light &sun = a.settings.lights[0], &lamp = a.settings.lights[1];
     EXPECT_EQ(sun.kind, scene::LightKind::directional);
     // From azimuth 90, +X, and 30 degrees up it travels to -X and down.

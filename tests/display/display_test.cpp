@@ -34,6 +34,66 @@ double srgb(double light)
     return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1.0 / 2.4) - 0.055;
 }
 
+// All codes side by side, without lighting: as light, and as shares of a pixel that has no other.
+image::RadianceImage unlit_codes()
+{
+    image::RadianceImage image{256, 1, 4, {}};
+    for (int code = 0; code < 256; ++code) {
+        const auto light = static_cast<float>(in_double::srgb_decode(code / 255.0));
+        image.values.insert(image.values.end(), {light, 0.5f * light, 1.0f, 1.0f});
+    }
+    image.unlit = image.values;
+    return image;
+}
+
+TEST(Display, UnlitTexelsComeOutAsTheyWentIn)
+{
+    const image::RadianceImage light = unlit_codes();
+    for (const Tone tone : all_tones)
+        for (const float exposure : {0.01f, 1.0f, 300.0f})
+            for (const float contrast : {0.6f, 1.0f, 2.0f}) {
+                const image::CodeImage codes =
+                    to_codes(light, {.exposure = exposure, .contrast = contrast, .tone = tone});
+                for (std::size_t code = 0; code < 256; ++code) {
+                    EXPECT_EQ(codes.bytes[3 * code], code) << static_cast<int>(tone);
+                    expect_code(codes.bytes[3 * code + 1],
+                                srgb(0.5 * static_cast<double>(light.values[4 * code])));
+                    EXPECT_EQ(codes.bytes[3 * code + 2], 255);
+                }
+            }
+    const image::CodeImage raw = to_codes(light, {.exposure = 9.0f, .encode = false});
+    const image::CodeImage power = to_codes(light, {.exposure = 9.0f, .unlit_by_power = true});
+    for (std::size_t x = 0; x < 256; ++x) {
+        const auto value = static_cast<double>(light.values[4 * x]);
+        expect_code(raw.bytes[3 * x], value);
+        expect_code(power.bytes[3 * x], std::pow(value, 1.0 / 2.2));
+    }
+}
+
+// A quarter of the pixel shows 0.2 without lighting, the rest is as bright as without it; where the share is 0 nothing is
+// different.
+TEST(Display, UnlitSharesAreMixedAsLight)
+{
+    image::RadianceImage mixed{
+        2, 1, 4, {0.75f * 0.6f + 0.05f, 0.75f * 3.0f + 0.05f, 0.05f, 1.0f, 0.3f, 0.6f, 2.0f, 1.0f}};
+    mixed.unlit = {0.05f, 0.05f, 0.05f, 0.25f, 0.0f, 0.0f, 0.0f, 0.0f};
+    image::RadianceImage plain = mixed;
+    plain.unlit.clear();
+    const double bright[] = {0.6, 3.0, 0.0};
+    for (const float exposure : {0.5f, 1.0f}) {
+        const image::CodeImage codes = to_codes(mixed, {.exposure = exposure, .tone = Tone::linear});
+        for (std::size_t c = 0; c < 3; ++c)
+            expect_code(codes.bytes[c],
+                        srgb(0.75 * std::min(static_cast<double>(exposure) * bright[c], 1.0) + 0.05));
+    }
+    for (const Tone tone : all_tones) {
+        const image::CodeImage codes = to_codes(mixed, {.tone = tone}),
+                               usual = to_codes(plain, {.tone = tone});
+        for (std::size_t c = 3; c < 6; ++c)
+            EXPECT_EQ(codes.bytes[c], usual.bytes[c]);
+    }
+}
+
 TEST(Display, ReinhardIsTheReportsFormula)
 {
     const image::RadianceImage light = ramp();

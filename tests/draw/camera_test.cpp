@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <tuple>
 
 namespace lambent::draw {
 namespace {
@@ -133,6 +135,93 @@ TEST(Camera, OfTheSceneSeesWhatIsInFrontOfIt)
         EXPECT_NEAR(red.y, 0.0, 0.02);
         EXPECT_NEAR(green.x, 0.0, 0.02);
         EXPECT_NEAR(green.y, 1.5, 0.02);
+    }
+}
+
+// What a camera of aspect 2 sees, 4 by 2 metres, is in the picture whatever the picture's own aspect is.
+TEST(Camera, ShowsAllOfItsFrameAndMore)
+{
+    Camera camera = testing::front_camera(2.0f);
+    camera.aspect = 2.0f;
+    Camera perspective = camera;
+    perspective.vertical_fov = static_cast<float>(2.0 * std::atan(0.1)); // the same 10 m away
+    const auto sides = [](const Camera& c, int width, int height) {
+        const RayMap map = ray_map(c, width, height);
+        const auto at = [&](float x, float y) {
+            return map.origin + x * map.origin_dx + y * map.origin_dy +
+                   10.0f * (map.direction + x * map.direction_dx + y * map.direction_dy);
+        };
+        const glm::vec3 corner = at(0.0f, 0.0f),
+                        other = at(static_cast<float>(width), static_cast<float>(height));
+        EXPECT_NEAR(corner.x, -other.x, 1e-5f);
+        EXPECT_NEAR(corner.y, -other.y, 1e-5f);
+        return glm::vec2(other.x, corner.y);
+    };
+    for (const Camera& c : {camera, perspective}) {
+        const glm::vec2 same = sides(c, 128, 64), square = sides(c, 64, 64), tall = sides(c, 32, 64),
+                        wide = sides(c, 256, 64);
+        EXPECT_NEAR(same.x, 2.0f, 1e-5f);
+        EXPECT_NEAR(same.y, 1.0f, 1e-5f);
+        EXPECT_NEAR(square.x, 2.0f, 1e-5f);
+        EXPECT_NEAR(square.y, 2.0f, 1e-5f);
+        EXPECT_NEAR(tall.x, 2.0f, 1e-5f);
+        EXPECT_NEAR(tall.y, 4.0f, 1e-5f);
+        EXPECT_NEAR(wide.x, 4.0f, 1e-5f);
+        EXPECT_NEAR(wide.y, 1.0f, 1e-5f);
+    }
+}
+
+// Squares 10, 12 and 14 metres ahead: the nearest of those between the planes is seen.
+TEST(Camera, SeesBetweenItsPlanes)
+{
+    scene::Scene scene;
+    for (const int i : {0, 1, 2})
+        testing::add(scene, testing::facing_square(9.0f, -2.0f * static_cast<float>(i)),
+                     testing::glowing(glm::vec3(1.0f + static_cast<float>(i))));
+    const float infinite = std::numeric_limits<float>::infinity();
+    for (const float fov : {0.0f, 0.9f})
+        for (const auto& [near, far, seen] : {std::tuple(0.0f, infinite, 1.0f),
+                                              {9.9f, 10.1f, 1.0f},
+                                              {10.1f, infinite, 2.0f},
+                                              {12.1f, 20.0f, 3.0f},
+                                              {0.0f, 9.9f, 0.0f},
+                                              {10.1f, 11.9f, 0.0f},
+                                              {14.1f, infinite, 0.0f}}) {
+            Camera camera = testing::front_camera(4.0f);
+            camera.vertical_fov = fov;
+            camera.near = near;
+            camera.far = far;
+            const Frame frame = testing::draw(scene, nullptr, testing::small_settings(9, 9, camera));
+            for (const int x : {0, 4, 8})
+                EXPECT_EQ(pixel(frame, x, 1).r, seen) << fov << ' ' << near << ' ' << far << ' ' << x;
+        }
+}
+
+// Models of a tenth of a millimetre and of a hundred kilometres look like one of a metre.
+TEST(Camera, ScenesOfAnySizeLookTheSame)
+{
+    const environment::Environment white = testing::white_environment();
+    const auto drawn = [&](float size) {
+        scene::Scene scene;
+        const glm::mat4 scaled = glm::scale(glm::mat4(1.0f), glm::vec3(size));
+        testing::add(scene, scene::make_sphere(1.0f, 48, 24), {}, scaled);
+        testing::add(scene, testing::facing_square(2.0f, -1.0f), {}, scaled);
+        scene::Light lamp;
+        lamp.position = size * glm::vec3(2.0f, 2.0f, 3.0f);
+        lamp.intensity = glm::vec3(5.0f * size * size);
+        scene.lights = {lamp};
+        Camera camera = testing::front_camera(0.0f, 5.0f * size);
+        camera.vertical_fov = 0.8f;
+        return testing::draw(scene, &white, testing::small_settings(64, 64, camera));
+    };
+    const Frame metre = drawn(1.0f);
+    for (const float size : {0x1p-13f, 0x1p17f}) {
+        const Frame other = drawn(size);
+        double worst = 0.0;
+        for (std::size_t i = 0; i < metre.radiance.values.size(); ++i)
+            worst = std::max(worst, std::fabs(static_cast<double>(other.radiance.values[i]) -
+                                              static_cast<double>(metre.radiance.values[i])));
+        EXPECT_LT(worst, 1e-3) << size;
     }
 }
 

@@ -56,6 +56,34 @@ TEST(Visibility, OutsideIsTheFrontAlsoWhenInstancedOrMirrored)
         }
 }
 
+// What is without lighting is told apart from what is lit, where both share a pixel, too.
+TEST(Visibility, SharesWithoutLightingAreKnown)
+{
+    scene::Scene scene;
+    add(scene, facing_square(5.0f, 0.0f), glowing(glm::vec3(3.0f)));
+    EXPECT_TRUE(testing::draw(scene, nullptr, view(8)).radiance.unlit.empty());
+    scene::Material sign;
+    sign.unlit = true;
+    sign.base_color = {0.5f, 0.25f, 1.0f, 0.5f};
+    sign.alpha_mode = scene::AlphaMode::blend;
+    add(scene, facing_square(0.3f, 1.0f), sign); // its edges cross pixels
+    Settings settings = view(8);
+    settings.edge_samples = 16;
+    const Frame frame = testing::draw(scene, nullptr, settings);
+    ASSERT_EQ(frame.radiance.unlit.size(), frame.radiance.values.size());
+    double share = 0.0;
+    for (std::size_t i = 0; i < frame.radiance.unlit.size(); i += 4) {
+        const float* const own = &frame.radiance.unlit[i];
+        const float* const all = &frame.radiance.values[i];
+        share += static_cast<double>(own[3]) / 64.0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            EXPECT_NEAR(own[c], own[3] * sign.base_color[static_cast<int>(c)], 1e-6f);
+            EXPECT_NEAR(all[c] - own[c], 3.0f * (1.0f - own[3]), 1e-5f);
+        }
+    }
+    EXPECT_NEAR(share, 0.5 * 0.09, 0.01); // half of 0.6 by 0.6 metres of 4
+}
+
 TEST(Visibility, NearerHidesFarther)
 {
     scene::Scene scene;

@@ -19,6 +19,7 @@
 #include <filesystem>
 #include <random>
 #include <stdexcept>
+#include <utility>
 
 namespace lambent::draw {
 namespace {
@@ -92,6 +93,16 @@ double relative_rmse(const image::RadianceImage& found, const image::RadianceIma
     return sum > 0.0 ? std::sqrt(squares / count) / (sum / count) : std::sqrt(squares);
 }
 
+// What is shown without lighting: black where the frame has none.
+image::RadianceImage unlit_of(const Frame& frame)
+{
+    image::RadianceImage image = frame.radiance;
+    image.values = std::exchange(image.unlit, {});
+    if (image.values.empty())
+        image.values.resize(frame.radiance.values.size(), 0.0f);
+    return image;
+}
+
 class PictureParity : public ::testing::Test {
 protected:
     void SetUp() override
@@ -118,6 +129,8 @@ protected:
         EXPECT_LE(relative_rmse(found.radiance, apart.radiance, edges), 1e-6) << name;
         EXPECT_EQ(renderer->complaints(), std::vector<std::string>()) << name;
         EXPECT_FALSE(found.passes.empty());
+        for (const Frame* frame : {&found, &apart})
+            EXPECT_LE(relative_rmse(unlit_of(*frame), unlit_of(wanted), edges), 2e-3) << name << ", unlit";
         ASSERT_EQ(apart.layers.size(), wanted.layers.size());
         for (std::size_t i = 0; i < apart.layers.size(); ++i) {
             EXPECT_EQ(apart.layers[i].name, wanted.layers[i].name);
@@ -266,6 +279,21 @@ TEST_F(PictureParity, BackgroundsAndProjections)
     settings.samples = 300; // edges are then looked at 16 times
     settings.edge_samples = 7;
     expect_parity(scene, settings, "many samples");
+}
+
+// What is nearer or further away is cut off in the middle of things.
+TEST_F(PictureParity, CamerasWithPlanesAndAnAspect)
+{
+    const scene::Scene scene = scene::make_builtin("report");
+    Settings settings = settings_for(scene, Model::ggx);
+    const float distance = glm::length(settings.camera.position);
+    settings.camera.aspect = 3.0f;
+    settings.camera.near = 0.95f * distance;
+    settings.camera.far = 1.1f * distance;
+    expect_parity(scene, settings, "planes");
+    settings.camera.vertical_fov = 0.0f;
+    settings.camera.vertical_size = 1.2f * (scene::bounds(scene).high.y - scene::bounds(scene).low.y);
+    expect_parity(scene, settings, "planes, orthographic");
 }
 
 TEST_F(PictureParity, AThousandLights)

@@ -60,6 +60,31 @@ TEST(RasterMap, PutsPointsWhereTheirRaysAre)
     expect_places(ray_map(camera(0.0f), 320, 200));
 }
 
+// A device cuts off what has a depth below 0 or above 1.
+TEST(RasterMap, CutsOffAtThePlanes)
+{
+    for (const float fov : {0.7f, 0.0f})
+        for (const float last : {9.0f, 1000.0f}) {
+            Camera limited = camera(fov);
+            limited.near = 4.0f;
+            limited.far = last;
+            const RayMap rays = ray_map(limited, 320, 200);
+            const auto map = raster_map(rays, {0, 0, 320, 200, {0.5f, 0.5f}}, box);
+            ASSERT_TRUE(map);
+            const auto depth = [&](double t) {
+                const dvec3 start = 100.0 * dvec3(rays.origin_dx) + 80.0 * dvec3(rays.origin_dy);
+                const dvec4 p =
+                    clip(*map, start + t * (dvec3(rays.direction) + 100.0 * dvec3(rays.direction_dx) +
+                                            80.0 * dvec3(rays.direction_dy)));
+                return p.z / p.w;
+            };
+            EXPECT_GT(depth(3.999), 1.0);
+            EXPECT_LT(depth(4.001), 1.0);
+            EXPECT_GT(depth(8.99), 0.0);
+            EXPECT_EQ(depth(9.01) < 0.0, last == 9.0f);
+        }
+}
+
 TEST(RasterMap, ThereIsNoneOfWhatCannotBeSeen)
 {
     RayMap flat = ray_map(camera(0.7f), 320, 200);

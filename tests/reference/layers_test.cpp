@@ -80,6 +80,26 @@ TEST(ReferenceLayers, MasksCutWhereAlphaIsBelowTheCutoff)
     }
 }
 
+// What is seen without lighting is told apart: its share, and its light. In mirrors it is light as any other.
+TEST(ReferenceLayers, SharesWithoutLightingAreKnown)
+{
+    scene::Material behind = metallic(0.0f, 1.0f, 1.0f);
+    behind.emissive = glm::vec3(3.0f);
+    scene::Scene scene = scene_of(facing_square(5.0f, 0.0f), behind);
+    EXPECT_TRUE(seen(scene).radiance.unlit.empty());
+    add(scene, facing_square(5.0f, 1.0f), layer({1.0f, 2.0f, 4.0f}, 0.25f, blend));
+    const Result result = seen(scene);
+    ASSERT_EQ(result.radiance.unlit.size(), result.radiance.values.size());
+    double share = 0.0, light = 0.0;
+    for (std::size_t i = 0; i < result.radiance.unlit.size(); i += 4) {
+        share += static_cast<double>(result.radiance.unlit[i + 3]) / 256.0;
+        light += static_cast<double>(result.radiance.unlit[i + 1]) / 256.0;
+        EXPECT_FLOAT_EQ(result.radiance.unlit[i + 2], 4.0f * result.radiance.unlit[i + 3]);
+    }
+    EXPECT_NEAR(share, 0.25, 0.02);
+    EXPECT_NEAR(light, 2.0 * share, 1e-5);
+}
+
 TEST(ReferenceLayers, CulledBacksAreSeenThrough)
 {
     scene::Scene scene = scene_of(facing_square(5.0f, 0.0f), unlit({1.0f, 1.0f, 1.0f}));

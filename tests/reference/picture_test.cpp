@@ -4,6 +4,9 @@
 
 #include <glm/ext/matrix_transform.hpp>
 
+#include <limits>
+#include <tuple>
+
 namespace lambent::reference {
 namespace {
 
@@ -38,6 +41,60 @@ TEST(ReferencePicture, APanoramaOfNothingIsTheEnvironment)
                 EXPECT_NEAR(result.radiance.pixel(x, y)[c], expected.pixel(x, y)[c], 0.02) << x << ' ' << y;
             EXPECT_EQ(result.radiance.pixel(x, y)[3], 0.0f);
         }
+}
+
+// Squares 10, 12 and 14 metres ahead, of light 1, 2 and 3: the nearest of those between the camera's planes is seen.
+TEST(ReferencePicture, CamerasSeeBetweenTheirPlanes)
+{
+    scene::Scene scene;
+    for (const int i : {0, 1, 2})
+        add(scene, facing_square(20.0f, -2.0f * static_cast<float>(i)),
+            unlit(glm::vec3(1.0f + static_cast<float>(i))));
+    const float infinite = std::numeric_limits<float>::infinity();
+    for (const float fov : {0.0f, 1.5f})
+        for (const auto& [near, far, seen] : {std::tuple(0.0f, infinite, 1.0f),
+                                              {9.99f, 10.01f, 1.0f},
+                                              {10.01f, infinite, 2.0f},
+                                              {12.01f, 20.0f, 3.0f},
+                                              {0.0f, 9.99f, 0.0f},
+                                              {10.01f, 11.99f, 0.0f}}) {
+            Settings settings = small_settings(8, 4.0f, 4);
+            settings.camera.vertical_fov = fov;
+            settings.camera.near = near;
+            settings.camera.far = far;
+            const Result result = trace(scene, nullptr, settings);
+            for (int x = 0; x < 8; ++x)
+                EXPECT_EQ(result.radiance.pixel(x, 0)[0], seen)
+                    << fov << ' ' << near << ' ' << far << ' ' << x;
+        }
+}
+
+// A tenth of a millimetre, a metre, a hundred kilometres: by the same random numbers the same pictures.
+TEST(ReferencePicture, ScenesOfAnySizeLookTheSame)
+{
+    const image::RadianceImage white = white_panorama();
+    const auto traced = [&](float size) {
+        scene::Scene scene;
+        const glm::mat4 scaled = glm::scale(glm::mat4(1.0f), glm::vec3(size));
+        add(scene, scene::make_sphere(1.0f, 48, 24), metallic(0.8f, 0.0f, 0.5f), scaled);
+        add(scene, facing_square(2.0f, -1.0f), metallic(0.5f, 0.0f, 0.9f), scaled);
+        scene::Material lamp = metallic(0.0f, 0.0f, 1.0f);
+        lamp.emissive = glm::vec3(4.0f);
+        lamp.double_sided = true;
+        add(scene, facing_square(0.3f, 2.0f), lamp, scaled);
+        Settings settings = small_settings(24, 4.0f * size, 32);
+        settings.camera.position *= size;
+        settings.bounces = 3;
+        return trace(scene, &white, settings);
+    };
+    const Result metre = traced(1.0f);
+    for (const float size : {0x1p-13f, 0x1p17f}) {
+        const Result other = traced(size);
+        for (int c = 0; c < 3; ++c) {
+            const Average a = average(metre, whole(metre), c), b = average(other, whole(other), c);
+            EXPECT_NEAR(a.mean, b.mean, 1e-3 * a.mean) << size;
+        }
+    }
 }
 
 // A small square in one direction after another is met by the pixel that looks there, and no other.

@@ -86,5 +86,22 @@ TEST(ReferenceStrategies, AgreeOnPhong)
     }
 }
 
+// A roof and a lamp of which the wall sees the backs: what those keep off, and send on, is the same for both ways.
+TEST(ReferenceStrategies, AgreeUnderTheBacksOfOneSidedSurfaces)
+{
+    scene::Scene scene = still_life(metallic(0.8f, 0.5f, 0.6f), metallic(0.6f, 0.0f, 0.9f));
+    add(scene, facing_square(0.6f, 0.0f), metallic(0.9f, 0.0f, 0.7f),
+        glm::translate(glm::mat4(1.0f), {-0.9f, 0.2f, 0.4f}));
+    scene::Material lamp = metallic(0.4f, 0.0f, 0.8f);
+    lamp.emissive = glm::vec3(3.0f);
+    const glm::mat4 turned =
+        glm::rotate(glm::translate(glm::mat4(1.0f), {0.9f, -0.3f, 0.2f}), 1.2f, {0, 1, 0});
+    add(scene, facing_square(0.4f, 0.0f), lamp, turned);
+    for (const int bounces : {1, 4}) {
+        SCOPED_TRACE(bounces);
+        compare(scene, view::Model::ggx, bounces);
+    }
+}
+
 } // namespace
 } // namespace lambent::reference

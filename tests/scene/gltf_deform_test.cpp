@@ -191,7 +191,7 @@ TEST(GltfSkin, APrimitiveWithoutInfluencesFollowsItsNode)
     GltfBuilder builder = skinned_triangle();
     builder.document["meshes"][0]["primitives"][0]["attributes"].erase("JOINTS_0");
     const Scene scene = load(builder);
-    EXPECT_EQ(glm::vec3(scene.instances.at(0).transform[3]), glm::vec3(100));
+    EXPECT_EQ(scene.origin + glm::dvec3(glm::vec3(scene.instances.at(0).transform[3])), glm::dvec3(100.0));
 }
 
 TEST(GltfSkin, BrokenSkinsAreRefused)

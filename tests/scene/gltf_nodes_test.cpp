@@ -125,7 +125,7 @@ TEST(GltfNodes, AChainOfFiftyThousandIsNoTrouble)
         nodes.push_back({{"children", {i}}, {"translation", {1, 0, 0}}});
     nodes.push_back({{"mesh", 0}});
     const Scene scene = load(with_nodes(nodes, {0}));
-    EXPECT_EQ(scene.instances.at(0).transform[3].x, 49999.0f);
+    EXPECT_EQ(scene.origin.x + static_cast<double>(scene.instances.at(0).transform[3].x), 49999.0);
 }
 
 TEST(GltfNodes, TransformsAreChecked)
@@ -206,6 +206,56 @@ TEST(GltfCameras, OrthographicAndNamedByTheNode)
     EXPECT_EQ(scene.cameras.at(0).name, "front");
     EXPECT_EQ(scene.cameras[0].vertical_fov, 0.0f);
     EXPECT_EQ(scene.cameras[0].vertical_size, 3.0f);
+}
+
+TEST(GltfCameras, SayHowWideAndBetweenWhichPlanesTheySee)
+{
+    const auto read = [](const json& camera) {
+        Warnings warnings;
+        const Scene scene = load(with_camera(camera, json::object()), &warnings);
+        EXPECT_TRUE(warnings.empty()) << warnings.front();
+        return scene.cameras.at(0);
+    };
+    const Camera plain = read(lens);
+    EXPECT_EQ(plain.aspect, 0.0f);
+    EXPECT_EQ(plain.near, 0.1f);
+    EXPECT_EQ(plain.far, std::numeric_limits<float>::infinity());
+    json full = lens;
+    full["perspective"]["aspectRatio"] = 1.5;
+    full["perspective"]["zfar"] = 20;
+    EXPECT_EQ(read(full).aspect, 1.5f);
+    EXPECT_EQ(read(full).far, 20.0f);
+    const Camera flat = read({{"type", "orthographic"},
+                              {"orthographic", {{"xmag", 3}, {"ymag", 1.5}, {"znear", 0}, {"zfar", 10}}}});
+    EXPECT_EQ(flat.aspect, 2.0f);
+    EXPECT_EQ(flat.near, 0.0f);
+    EXPECT_EQ(flat.far, 10.0f);
+}
+
+TEST(GltfCameras, WhatMakesNoSenseIsPassedOverWithAWarning)
+{
+    const auto read = [](const json& camera, const char* warning) {
+        Warnings warnings;
+        const Scene scene = load(with_camera(camera, json::object()), &warnings);
+        EXPECT_TRUE(warned_once(warnings, warning)) << warning;
+        return scene.cameras.at(0);
+    };
+    json odd = lens;
+    odd["perspective"]["aspectRatio"] = -2;
+    EXPECT_EQ(read(odd, "camera 0: aspectRatio is none").aspect, 0.0f);
+    odd = lens;
+    odd["perspective"]["zfar"] = 0.05;
+    EXPECT_EQ(read(odd, "camera 0: znear and zfar are no planes").near, 0.0f);
+    odd["perspective"] = {{"yfov", 0.8}, {"znear", -1}};
+    EXPECT_EQ(read(odd, "camera 0: znear and zfar are no planes").near, 0.0f);
+    json flat = {{"type", "orthographic"},
+                 {"orthographic", {{"xmag", -3}, {"ymag", -1.5}, {"znear", 0}, {"zfar", 10}}}};
+    const Camera turned = read(flat, "camera 0: a negative xmag or ymag");
+    EXPECT_EQ(turned.aspect, 2.0f);
+    EXPECT_EQ(turned.vertical_size, 3.0f);
+    flat["orthographic"]["xmag"] = 0;
+    flat["orthographic"]["ymag"] = 1;
+    EXPECT_EQ(read(flat, "camera 0: xmag is no size").aspect, 0.0f);
 }
 
 TEST(GltfCameras, ImpossibleOnesAreRefused)

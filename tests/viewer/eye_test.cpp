@@ -79,6 +79,18 @@ TEST(Eye, LooksAtWhatIsPicked)
     EXPECT_EQ(eye.distance(world), 4.0);
 }
 
+// A scene of the world's size, seen from near: its target is said to a millionth of the distance.
+TEST(Eye, KeepsItsDigitsFarFromTheOrigin)
+{
+    Eye::World far = world;
+    far.origin = {4.5e6, 0.0, -1e8};
+    Eye eye(10.0, 20.0);
+    eye.look_at(far, far.origin + glm::dvec3(0.25, 1.5, 0.125));
+    EXPECT_EQ(eye.options(),
+              (std::vector<std::string>{"--camera", "10,20,4", "--target", "4500000.25,1.5,-99999999.875"}));
+    EXPECT_EQ(Eye(0.0, 0.0).target(far), far.origin + middle_of(far.bounds));
+}
+
 TEST(Eye, AnEmptySceneIsASmallWorld)
 {
     EXPECT_EQ(radius_of({}), 1.0);

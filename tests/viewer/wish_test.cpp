@@ -170,6 +170,18 @@ TEST(Wish, LooksThroughACameraOfTheScene)
     look_through(wish, scene, "plan"); // at the target 4 m are seen, as 2 m away through 90 degrees
     EXPECT_EQ(wish.eye.options(), (std::vector<std::string>{"--camera", "90,0,2", "--target", "1,2,1"}));
     EXPECT_THROW(look_through(wish, scene, "top"), Error);
+    // A frame of aspect 2 in a square picture: twice as much is seen from bottom to top.
+    scene.cameras[0].aspect = scene.cameras[1].aspect = 2.0f;
+    wish.width = wish.height = 256;
+    look_through(wish, scene, "plan");
+    EXPECT_EQ(wish.eye.options(), (std::vector<std::string>{"--camera", "90,0,4", "--target", "-1,2,1"}));
+    look_through(wish, scene, "side");
+    EXPECT_NEAR(std::stod(wish.values["fov"]), 2.0 * std::atan(2.0 * std::tan(0.25)) * 180.0 / 3.14159265359,
+                1e-3);
+    scene.origin = {4.5e6, 0.0, 0.0};
+    look_through(wish, scene, "side");
+    EXPECT_EQ(wish.eye.options(),
+              (std::vector<std::string>{"--camera", "90,0,3", "--target", "4500000,2,1"}));
 }
 
 } // namespace

@@ -41,7 +41,8 @@ struct RenderArguments {
     std::string layers; ///< folder; empty: none
     draw::Settings settings;
     std::optional<view::Orbit> orbit; ///< unset: the default view, or camera_node
-    std::optional<glm::vec3> target;  ///< what the orbit is around; unset: the scene's middle
+    std::optional<glm::dvec3> target; ///< in the world, what the orbit is around; unset: the scene's middle
+    std::vector<glm::dvec3> light_places; ///< in the world, of each light of the settings
     std::string camera_node;
     std::string animation;        ///< name or number; empty: none, or the first, if there is a moment
     std::optional<double> moment; ///< seconds; unset: the animation's start, if there is one

@@ -17,9 +17,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json triple(const glm::vec3& v)
+// In the world.
+Json triple(const glm::vec3& v, const glm::dvec3& origin)
 {
-    return {v.x, v.y, v.z};
+    if (origin == glm::dvec3(0.0))
+        return {v.x, v.y, v.z};
+    const glm::dvec3 place = origin + glm::dvec3(v);
+    return {place.x, place.y, place.z};
 }
 
 Json describe_scene(const scene::Scene& scene)
@@ -44,8 +48,8 @@ Json describe_scene(const scene::Scene& scene)
         info["animations"].push_back({{"name", animation.name}, {"seconds", animation.seconds}});
     const scene::Bounds bounds = scene::bounds(scene);
     if (bounds.low.x <= bounds.high.x) {
-        info["low_corner_m"] = triple(bounds.low);
-        info["high_corner_m"] = triple(bounds.high);
+        info["low_corner_m"] = triple(bounds.low, scene.origin);
+        info["high_corner_m"] = triple(bounds.high, scene.origin);
     }
     return info;
 }

@@ -17,8 +17,12 @@ image::CodeImage with_alpha(const image::RadianceImage& picture, const display::
     image::RadianceImage bare = picture;
     for (std::size_t i = 0; i < bare.values.size(); i += 4)
         if (const float coverage = bare.values[i + 3]; coverage > 0.0f)
-            for (std::size_t c = 0; c < 3; ++c)
-                bare.values[i + c] /= coverage;
+            for (std::size_t c = 0; c < 4; ++c) {
+                if (c < 3)
+                    bare.values[i + c] /= coverage;
+                if (!bare.unlit.empty())
+                    bare.unlit[i + c] /= coverage;
+            }
     const image::CodeImage color = display::to_codes(bare, display);
     image::CodeImage codes{picture.width, picture.height, 4, 8, {}};
     codes.bytes.resize(color.bytes.size() / 3 * 4);

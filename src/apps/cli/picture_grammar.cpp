@@ -16,7 +16,8 @@ void add_view(Command app, RenderArguments& arguments, PictureWords& words)
            "Degrees around and above the scene, metres from its middle (frames it)");
     option(app, "--target", words.target, "X,Y,Z",
            "The point that --camera, with a distance, is around, metres (the scene's middle)");
-    option(app, "--camera-node", arguments.camera_node, "NAME", "A camera of the glTF");
+    option(app, "--camera-node", arguments.camera_node, "NAME",
+           "A camera of the glTF, with its own field of view");
     option(app, "--fov", words.fov, "DEG", "Vertical field of view, 0.1 to 175 (45)");
     option(app, "--aa", words.aa, "N", "Samples per pixel where surfaces end (4)");
     option(app, "--animation", words.animation, "NAME|N",
@@ -82,6 +83,8 @@ void apply_view(const PictureWords& words, RenderArguments& arguments)
             throw Error(Failure::usage, "--target: only with --camera AZ,EL,DIST");
         arguments.target = parse_point(words.target, "--target");
     }
+    if (!words.fov.empty() && !arguments.camera_node.empty())
+        throw Error(Failure::usage, "--fov and --camera-node exclude each other: a camera has its own");
     if (!words.fov.empty())
         arguments.vertical_fov = radians(number_in(words.fov, "--fov", 0.1, 175.0));
     if (!words.aa.empty())
@@ -109,8 +112,10 @@ void apply_light(const PictureWords& words, RenderArguments& arguments)
             radians(std::remainder(parse_number(words.rotation, "--env-rotation"), 360.0));
     if (!words.background.empty())
         settings.background = parse_background(words.background, "--background");
-    for (const std::string& light : words.lights)
+    for (const std::string& light : words.lights) {
         settings.lights.push_back(parse_light(light, "--light"));
+        arguments.light_places.push_back(light_place(light, "--light"));
+    }
     if (!words.ambient.empty())
         settings.ambient_brightness = number_in(words.ambient, "--ambient-brightness", 0.0, 1.0e6);
     if (!words.samples.empty())
@@ -182,6 +187,7 @@ void apply_display(const PictureWords& words, RenderArguments& arguments)
     arguments.settings.texel_transfer = !settings.encode ? TexelTransfer::none
                                         : phong          ? TexelTransfer::power_2_2
                                                          : TexelTransfer::srgb;
+    settings.unlit_by_power = arguments.settings.texel_transfer == TexelTransfer::power_2_2;
 }
 
 } // namespace

@@ -85,16 +85,26 @@ view::Camera choose_camera(const RenderArguments& arguments, const scene::Scene&
         throw Error(Failure::usage, text("--camera-node: ", arguments.scene, " has no camera '",
                                          arguments.camera_node, "' (it has ", scene.cameras.size(), ")"));
     }
-    return orbit_asked(arguments, scene::framed_bounds(scene));
+    return orbit_asked(arguments, scene::framed_bounds(scene), scene.origin);
 }
 
-view::Camera orbit_asked(const RenderArguments& arguments, const scene::Bounds& bounds)
+std::vector<scene::Light> lights_asked(const RenderArguments& arguments, const glm::dvec3& origin)
+{
+    std::vector<scene::Light> lights = arguments.settings.lights;
+    for (std::size_t i = 0; i < std::min(lights.size(), arguments.light_places.size()); ++i)
+        if (lights[i].kind != scene::LightKind::directional)
+            lights[i].position = glm::vec3(arguments.light_places[i] - origin);
+    return lights;
+}
+
+view::Camera orbit_asked(const RenderArguments& arguments, const scene::Bounds& bounds,
+                         const glm::dvec3& origin)
 {
     const float aspect =
         static_cast<float>(arguments.settings.width) / static_cast<float>(arguments.settings.height);
     const view::Orbit orbit = arguments.orbit.value_or(default_orbit(arguments.scene));
-    const scene::Bounds around =
-        arguments.target ? scene::Bounds{*arguments.target, *arguments.target} : bounds;
+    const glm::vec3 target(arguments.target.value_or(origin) - origin);
+    const scene::Bounds around = arguments.target ? scene::Bounds{target, target} : bounds;
     return view::orbit_camera(around, orbit, arguments.vertical_fov, aspect);
 }
 

@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace lambent::cli {
 
@@ -24,8 +25,13 @@ InputFiles inputs_named(const RenderArguments& arguments);
 std::optional<scene::Moment> moment_asked(const RenderArguments& arguments,
                                           std::span<const scene::AnimationInfo> animations);
 
-/// The orbit or default view asked for of a scene in this box, whatever the camera node.
-view::Camera orbit_asked(const RenderArguments& arguments, const scene::Bounds& bounds);
+/// The orbit or default view asked for of a scene in this box, whatever the camera node. As the box is, it is relative to the
+/// scene's origin.
+view::Camera orbit_asked(const RenderArguments& arguments, const scene::Bounds& bounds,
+                         const glm::dvec3& origin);
+
+/// The lights asked for, relative to the scene's origin.
+std::vector<scene::Light> lights_asked(const RenderArguments& arguments, const glm::dvec3& origin);
 
 /// From where a scene is looked at when nothing is said: the distance is 0.
 view::Orbit default_orbit(const std::string& scene);

@@ -80,6 +80,7 @@ void run(const RenderArguments& arguments)
 
     draw::Settings settings = arguments.settings;
     settings.camera = choose_camera(arguments, scene);
+    settings.lights = lights_asked(arguments, scene.origin);
     settings.layers = !arguments.layers.empty();
     const std::unique_ptr<draw::Renderer> renderer = make_renderer(
         {arguments.backend, arguments.cache, [&](const std::string& line) { console.warn({line}); }}, scene);

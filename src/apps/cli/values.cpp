@@ -96,9 +96,10 @@ glm::vec3 parse_color(const std::string& word, const std::string& option)
     return color;
 }
 
-glm::vec3 parse_point(const std::string& word, const std::string& option)
+glm::dvec3 parse_point(const std::string& word, const std::string& option)
 {
-    return vec3_at(parse_list(word, {3, 3}, option), 0);
+    const std::vector<double> numbers = parse_list(word, {3, 3}, option);
+    return {numbers[0], numbers[1], numbers[2]};
 }
 
 view::Orbit parse_orbit(const std::string& word, const std::string& option)
@@ -160,6 +161,14 @@ scene::Light parse_light(const std::string& word, const std::string& option)
     }
     check_not_negative(light.intensity, word, option);
     return light;
+}
+
+glm::dvec3 light_place(const std::string& word, const std::string& option)
+{
+    if (!word.starts_with("point:"))
+        return glm::dvec3(0.0);
+    const std::vector<double> numbers = parse_list(word.substr(word.find(':') + 1), {6, 6}, option);
+    return {numbers[0], numbers[1], numbers[2]};
 }
 
 } // namespace lambent::cli

@@ -31,7 +31,7 @@ std::vector<double> parse_list(const std::string& word, Count count, const std::
 glm::vec3 parse_color(const std::string& word, const std::string& option);
 
 /// "X,Y,Z", metres. Throws Error(usage).
-glm::vec3 parse_point(const std::string& word, const std::string& option);
+glm::dvec3 parse_point(const std::string& word, const std::string& option);
 
 /// "AZIMUTH,ELEVATION" or "AZIMUTH,ELEVATION,DISTANCE", degrees and metres. Throws Error(usage).
 view::Orbit parse_orbit(const std::string& word, const std::string& option);
@@ -42,6 +42,9 @@ draw::Background parse_background(const std::string& word, const std::string& op
 /// "directional:AZ,EL,R,G,B" (degrees towards the light, lux) or "point:X,Y,Z,R,G,B" (metres, candela).
 /// Throws Error(usage).
 scene::Light parse_light(const std::string& word, const std::string& option);
+
+/// Where the light of such a word stands, in all its digits; the origin where it is directional. Throws Error(usage).
+glm::dvec3 light_place(const std::string& word, const std::string& option);
 
 float radians(double degrees);
 

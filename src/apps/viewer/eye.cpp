@@ -69,7 +69,7 @@ void Eye::dolly(const World& world, double amount)
 void Eye::look_at(const World& world, const glm::dvec3& point)
 {
     fix(world);
-    const glm::dvec3 middle = middle_of(world.bounds);
+    const glm::dvec3 middle = middle_of(world.bounds) + world.origin;
     const double most = EyeLimits::target * radius_of(world.bounds);
     target_ = glm::clamp(point, middle - most, middle + most);
 }
@@ -81,14 +81,15 @@ std::vector<std::string> Eye::options() const
         return {"--camera", angles};
     std::vector<std::string> options = {"--camera", text(angles, ",", number_word(*distance_))};
     if (target_)
-        options.insert(options.end(), {"--target", text(number_word(target_->x), ",", number_word(target_->y),
-                                                        ",", number_word(target_->z))});
+        options.insert(options.end(), {"--target", text(place_word(target_->x, *distance_), ",",
+                                                        place_word(target_->y, *distance_), ",",
+                                                        place_word(target_->z, *distance_))});
     return options;
 }
 
 glm::dvec3 Eye::target(const World& world) const
 {
-    return target_.value_or(middle_of(world.bounds));
+    return target_.value_or(middle_of(world.bounds) + world.origin);
 }
 
 void Eye::fix(const World& world)

@@ -16,7 +16,7 @@ struct EyeLimits {
     static constexpr double nearest = 1e-3, farthest = 100.0, target = 20.0;
 };
 
-/// Angles in degrees, lengths in metres.
+/// Angles in degrees, lengths in metres; targets are points of the world.
 class Eye {
 public:
     Eye() = default;
@@ -28,10 +28,12 @@ public:
     {
     }
 
-    /// What moves are measured by: the scene's box, and how far the eye is from its middle when it frames all.
+    /// What moves are measured by: the scene's box, from its origin, and how far the eye is from its middle when it
+    /// frames all.
     struct World {
         scene::Bounds bounds;
         double framing_distance = 1.0;
+        glm::dvec3 origin{0.0}; ///< of the scene, in the world
     };
 
     /// Around the target; the elevation ends at the poles.
@@ -46,8 +48,8 @@ public:
     /// A point becomes the middle of the picture.
     void look_at(const World& world, const glm::dvec3& point);
 
-    /// "--camera" and "--target" of `lambent render`, to six digits. Without moves of the target or the distance the
-    /// scene is framed.
+    /// "--camera" and "--target" of `lambent render`, to six digits; a target to a millionth of the distance. Without
+    /// moves of the target or the distance the scene is framed.
     std::vector<std::string> options() const;
 
     double azimuth() const { return azimuth_; }

@@ -77,7 +77,7 @@ std::string light_word(const LightFields& light)
         fold(place[0], place[1]);
     std::string word = light.is_sun ? "directional:" : "point:";
     for (std::size_t i = 0; i < (light.is_sun ? 2u : 3u); ++i)
-        word += text(number_word(tame(place[i], -farthest, farthest)), ",");
+        word += text(place_word(tame(place[i], -farthest, farthest), 1e3), ",");
     return text(word, number_word(strength * color[0]), ",", number_word(strength * color[1]), ",",
                 number_word(strength * color[2]));
 }

@@ -196,12 +196,27 @@ nlohmann::ordered_json to_json(const Values& values)
     return object;
 }
 
-std::string number_word(double value)
+namespace {
+
+std::string word_of_digits(double value, int digits)
 {
     char word[32];
-    const auto end = std::to_chars(word, word + sizeof word, value, std::chars_format::general, 6).ptr;
+    const auto end = std::to_chars(word, word + sizeof word, value, std::chars_format::general, digits).ptr;
     const std::string written(word, end);
     return written == "-0" ? "0" : written;
+}
+
+} // namespace
+
+std::string number_word(double value)
+{
+    return word_of_digits(value, 6);
+}
+
+std::string place_word(double value, double scale)
+{
+    const double more = std::log10(std::fabs(value) / scale);
+    return word_of_digits(value, more > 0.0 ? static_cast<int>(std::min(6.0 + std::ceil(more), 15.0)) : 6);
 }
 
 } // namespace lambent::viewer

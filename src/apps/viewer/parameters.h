@@ -80,4 +80,7 @@ nlohmann::ordered_json to_json(const Values& values);
 /// A number as a word of at most six digits.
 std::string number_word(double value);
 
+/// The same of a coordinate, to six digits of `scale` where that is less: as many as tell places that far apart.
+std::string place_word(double value, double scale);
+
 } // namespace lambent::viewer

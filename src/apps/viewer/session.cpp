@@ -47,8 +47,9 @@ Eye::World Session::world() const
     cli::RenderArguments arguments = arguments_of(wish_);
     arguments.orbit->distance = 0.0f;
     arguments.target.reset();
-    const view::Camera camera = cli::orbit_asked(arguments, model_->bounds());
-    return {model_->bounds(), glm::length(glm::dvec3(camera.position) - middle_of(model_->bounds()))};
+    const glm::dvec3& origin = model_->scene().origin;
+    const view::Camera camera = cli::orbit_asked(arguments, model_->bounds(), origin);
+    return {model_->bounds(), glm::length(glm::dvec3(camera.position) - middle_of(model_->bounds())), origin};
 }
 
 void Session::change(std::uint64_t input, const Change& change)

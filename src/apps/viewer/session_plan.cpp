@@ -172,7 +172,9 @@ Plan Session::planned(Plan::Task task)
     plan.height = wish_.height;
     plan.serial = serial_;
     plan.input = input_;
-    plan.arguments.settings.camera = cli::orbit_asked(plan.arguments, model_->bounds());
+    const glm::dvec3& origin = model_->scene().origin;
+    plan.arguments.settings.camera = cli::orbit_asked(plan.arguments, model_->bounds(), origin);
+    plan.arguments.settings.lights = cli::lights_asked(plan.arguments, origin);
     if (task == Plan::Task::moving)
         plan.scale = pace_.scale();
     if (task == Plan::Task::pick)
@@ -296,10 +298,10 @@ void Session::complain(const std::string& line)
     set_error(line);
 }
 
-void Session::picked(const glm::dvec3& point, const Plan&)
+void Session::picked(const glm::dvec3& point, const Plan& plan)
 {
     const std::lock_guard lock(mutex_);
-    wish_.eye.look_at(world(), point);
+    wish_.eye.look_at(world(), point + plan.model->scene().origin);
     touch(place_input_);
 }
 

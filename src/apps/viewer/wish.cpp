@@ -26,12 +26,12 @@ std::string as_file(const std::string& name)
 }
 
 // The word of --camera, with the point that --target names.
-Eye eye_of(const std::string& word, const std::optional<glm::vec3>& target)
+Eye eye_of(const std::string& word, const std::optional<glm::dvec3>& target)
 {
     const std::vector<double> numbers = cli::parse_list(word, {2, 3}, "--camera");
     if (numbers.size() == 2)
         return {numbers[0], numbers[1]};
-    return {numbers[0], numbers[1], numbers[2], target ? std::optional(glm::dvec3(*target)) : std::nullopt};
+    return {numbers[0], numbers[1], numbers[2], target};
 }
 
 void set_option(Values& values, const std::string& name, const std::string& word)
@@ -91,15 +91,18 @@ void look_through(Wish& wish, const scene::Scene& scene, const std::string& came
     const scene::Bounds bounds = scene::framed_bounds(scene);
     const double far_enough = 1e-3 * radius_of(bounds);
     double distance = std::max(glm::dot(position - middle_of(bounds), back), far_enough);
+    // What the camera is to show at least is seen where the picture is narrower, too.
+    const double wider = std::max(static_cast<double>(found.aspect) * wish.height / wish.width, 1.0);
     if (found.vertical_fov > 0.0f) {
-        const double fov = static_cast<double>(found.vertical_fov) * degrees;
+        const double half = wider * std::tan(0.5 * static_cast<double>(found.vertical_fov));
+        const double fov = 2.0 * std::atan(half) * degrees;
         wish.values.set("fov", number_word(std::clamp(fov, least_fov, most_fov)));
     } else {
         const double fov = std::stod(wish.values["fov"]) / degrees;
-        distance = 0.5 * static_cast<double>(found.vertical_size) / std::tan(0.5 * fov);
+        distance = 0.5 * wider * static_cast<double>(found.vertical_size) / std::tan(0.5 * fov);
     }
     wish.eye = {std::atan2(back.x, back.z) * degrees, std::asin(std::clamp(back.y, -1.0, 1.0)) * degrees,
-                distance, position - distance * back};
+                distance, scene.origin + position - distance * back};
 }
 
 void set_lights(Wish& wish, const std::vector<std::string>& lights)

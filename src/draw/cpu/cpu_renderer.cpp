@@ -123,8 +123,8 @@ class CpuDrawing : public Drawing {
 public:
     CpuDrawing(CpuRenderer& renderer, const environment::Environment* environment, const Settings& settings)
         : renderer_(renderer), settings_(settings),
-          prepared_(renderer.scene().lights, environment, settings_), frame_(blank_frame(settings_)),
-          tiles_(settings_.width, settings_.height)
+          prepared_(renderer.scene().lights, environment, settings_),
+          frame_(blank_frame(settings_, renderer.scene())), tiles_(settings_.width, settings_.height)
     {
     }
 

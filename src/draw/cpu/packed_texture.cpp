@@ -1,5 +1,6 @@
 #include "draw/cpu/packed_texture.h"
 
+#include "draw/cpu/mask_coverage.h"
 #include "environment/packed_texel.h"
 #include "equations/in_double.h"
 
@@ -88,6 +89,12 @@ struct Source {
         return rgba;
     }
 
+    float alpha_at(int x, int y) const
+    {
+        const std::size_t at = code_index(x, y) + 3;
+        return image.bits == 8 ? alpha.light[image.bytes[at]] : decoded_16(at, TexelTransfer::none);
+    }
+
     std::size_t code_index(int x, int y) const
     {
         return 4 *
@@ -100,6 +107,37 @@ private:
         std::uint16_t code = 0;
         std::memcpy(&code, image.bytes.data() + 2 * index, 2);
         return static_cast<float>(decoded(code / 65535.0, by));
+    }
+};
+
+int wrapped(int x, int size, scene::Wrap wrap)
+{
+    return wrap == scene::Wrap::repeat ? (x + size) % size : std::clamp(x, 0, size - 1);
+}
+
+// A mask's colours are averaged by how much of them is there. So little more keeps the mean where nothing is.
+constexpr float least_share = 1.0f / 1024.0f;
+
+// A mask's image as the finest level of those that follow: alpha is the share of each texel that is there, and colours
+// are weighed by it.
+struct MaskSource {
+    const Source& source;
+    const scene::Sampler& sampler;
+    float least_alpha;
+    int width = source.width, height = source.height;
+
+    std::array<float, 4> texel(int x, int y) const
+    {
+        AlphaAround around;
+        for (int j = 0; j < 3; ++j)
+            for (int i = 0; i < 3; ++i)
+                around.alpha[j][i] = source.alpha_at(wrapped(x + i - 1, width, sampler.wrap_u),
+                                                     wrapped(y + j - 1, height, sampler.wrap_v));
+        std::array<float, 4> rgba = source.texel(x, y);
+        rgba[3] = covered_share(around, least_alpha, sampler.magnify_nearest);
+        for (std::size_t c = 0; c < 3; ++c)
+            rgba[c] *= rgba[3] + least_share;
+        return rgba;
     }
 };
 
@@ -139,11 +177,6 @@ LinearLevel next_level(const Level& from)
         }
     });
     return to;
-}
-
-int wrapped(int x, int size, scene::Wrap wrap)
-{
-    return wrap == scene::Wrap::repeat ? (x + size) % size : std::clamp(x, 0, size - 1);
 }
 
 template <class Rgba>
@@ -186,16 +219,22 @@ void store_source(const Source& source, PackedTexture& texture)
         store_level(0, texture, [&](int x, int y, std::uint8_t* out) { store_codes(source, x, y, out); });
 }
 
-void store_linear(const LinearLevel& level, int index, const Source& source, PackedTexture& texture)
+// `weighed`: its colours are, by alpha.
+void store_linear(const LinearLevel& level, bool weighed, int index, const Source& source,
+                  PackedTexture& texture)
 {
+    const auto texel = [&](int x, int y) {
+        const float* in = level.texel(x, y);
+        const float weight = weighed ? in[3] + least_share : 1.0f;
+        return std::array<float, 4>{in[0] / weight, in[1] / weight, in[2] / weight, in[3]};
+    };
     const auto encode = [&](int x, int y, std::uint8_t* out) {
-        const float* rgba = level.texel(x, y);
-        for (int c = 0; c < 4; ++c)
+        const std::array<float, 4> rgba = texel(x, y);
+        for (std::size_t c = 0; c < 4; ++c)
             out[c] = (c == 3 ? source.alpha : source.color).encode(rgba[c]);
     };
     if (texture.half_floats)
-        store_level(index, texture,
-                    [&](int x, int y, std::uint8_t* out) { store_halfs(level.texel(x, y), out); });
+        store_level(index, texture, [&](int x, int y, std::uint8_t* out) { store_halfs(texel(x, y), out); });
     else
         store_level(index, texture, encode);
 }
@@ -208,7 +247,7 @@ const float* code_light(TexelTransfer transfer)
 }
 
 PackedTexture pack_texture(const image::CodeImage& image, const scene::Sampler& sampler,
-                           TexelTransfer transfer)
+                           TexelTransfer transfer, std::optional<float> least_alpha)
 {
     PackedTexture texture;
     texture.sampler = sampler;
@@ -234,8 +273,11 @@ PackedTexture pack_texture(const image::CodeImage& image, const scene::Sampler& 
     store_source(source, texture);
     LinearLevel level;
     for (int index = 1; index < texture.levels; ++index) {
-        level = index == 1 ? next_level(source) : next_level(level);
-        store_linear(level, index, source, texture);
+        if (index > 1)
+            level = next_level(level);
+        else
+            level = least_alpha ? next_level(MaskSource{source, sampler, *least_alpha}) : next_level(source);
+        store_linear(level, least_alpha.has_value(), index, source, texture);
     }
     return texture;
 }

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace lambent::draw {
@@ -28,9 +29,11 @@ struct PackedTexture {
     std::vector<std::uint8_t> bytes; ///< a few more than the texels need, so that two may be read at the end
 };
 
-/// Packs an image for a sampler; the mip maps average linear light. 16-bit codes become half floats.
+/// Packs an image for a sampler; the mip maps average linear light. 16-bit codes become half floats. A mask's are packed
+/// with the alpha from which on its texels are there: alpha of the first level is the image's, to be held against the
+/// cutoff where it is read, that of the others the share of their area that is there.
 PackedTexture pack_texture(const image::CodeImage& image, const scene::Sampler& sampler,
-                           TexelTransfer transfer);
+                           TexelTransfer transfer, std::optional<float> least_alpha = std::nullopt);
 
 /// Linear light of the 256 codes.
 const float* code_light(TexelTransfer transfer);

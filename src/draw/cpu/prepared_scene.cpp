@@ -48,7 +48,7 @@ void PreparedScene::pose(const scene::Scene& posed)
         const glm::mat3 linear(instance.transform);
         context.normals = glm::transpose(glm::inverse(linear));
         context.handedness = glm::determinant(linear) < 0.0f ? -1.0f : 1.0f;
-        context.textures = textures_.of(*context.material);
+        context.textures = textures_.of(static_cast<std::size_t>(material));
         context.texcoords = TexcoordChoice(mesh, *context.material);
         surfaces_.push_back(context);
     }

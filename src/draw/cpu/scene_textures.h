@@ -6,6 +6,7 @@
 #include "scene/scene.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace lambent::draw {
@@ -24,8 +25,8 @@ public:
     /// `transfer`: of colours; everything else is linear.
     SceneTextures(const scene::Scene& scene, TexelTransfer transfer);
 
-    /// The textures of a material of the scene.
-    MaterialTextures of(const scene::Material& material) const;
+    /// The textures of a material of the scene, by its number.
+    MaterialTextures of(std::size_t material) const { return materials_[material]; }
 
     std::size_t size() const { return textures_.size(); }
     const PackedTexture& operator[](std::size_t i) const { return textures_[i].texture; }
@@ -34,16 +35,21 @@ public:
     int index(const PackedTexture* texture) const;
 
 private:
-    const PackedTexture* find(const scene::TextureUse& use, TexelTransfer transfer) const;
-
+    /// One way of reading an image.
     struct Packed {
         int image;
         scene::Sampler sampler;
         TexelTransfer transfer;
+        std::optional<float> least_alpha; ///< of masks, as pack_texture has it
         PackedTexture texture;
     };
-    TexelTransfer color_;
+    void list_textures(const scene::Scene& scene, TexelTransfer color);
+    void add(const scene::TextureUse& use, TexelTransfer transfer, std::optional<float> least_alpha);
+    const PackedTexture* find(const scene::TextureUse& use, TexelTransfer transfer,
+                              std::optional<float> least_alpha) const;
+
     std::vector<Packed> textures_;
+    std::vector<MaterialTextures> materials_;
 };
 
 } // namespace lambent::draw

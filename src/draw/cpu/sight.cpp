@@ -3,6 +3,8 @@
 #include <glm/common.hpp>
 #include <glm/vector_relational.hpp>
 
+#include <algorithm>
+
 namespace lambent::draw {
 namespace {
 
@@ -40,8 +42,9 @@ void Sight::trace(const std::vector<Look*>& looks)
             rays_.origin[axis][i] = origin[axis];
             rays_.direction[axis][i] = direction[axis];
         }
-        rays_.near[i] = look.near;
+        rays_.near[i] = std::max(look.near, map_.near);
     }
+    rays_.far = map_.far;
     scene_.visibility().trace(rays_, hits_.data());
     for (std::size_t i = 0; i < looks.size(); ++i)
         looks[i]->hit = hits_[i];

@@ -137,11 +137,12 @@ struct Texturing {
         }
     }
 
-    Color read(const PackedTexture* texture, const scene::TextureUse& use, int set, double otherwise) const
+    Color read(const PackedTexture* texture, const scene::TextureUse& use, int set, double otherwise,
+               const MaskCut* mask = nullptr) const
     {
         if (!texture)
             return {otherwise, otherwise, otherwise, otherwise};
-        return read_texture(*texture, texture_point(use, sets[set], at));
+        return read_texture(*texture, texture_point(use, sets[set], at), mask);
     }
 };
 
@@ -164,22 +165,39 @@ struct Material {
     vec3 emitted;
 };
 
-Material material_at(const SurfaceContext& c, const Fragments& f, size_t at, const Texturing& t)
+// The base colour without the factor on its colour. Of masks, alpha is 1 where they are there, and where texels are smaller
+// than pixels the share of them that is.
+Color varying_color(const SurfaceContext& c, const Fragments& f, size_t at, const Texturing& t)
 {
     const scene::Material& m = *c.material;
-    Color base = t.read(c.textures.base_color, m.base_color_texture, c.texcoords.base_color, 1.0);
+    Color vertex = {1.0, 1.0, 1.0, 1.0};
     if (!c.mesh->colors.empty()) {
         Corners<4> corners;
         gather(c, c.mesh->colors, f.triangle.data() + at, corners);
-        base.r *= interpolate(corners, 0, t.at);
-        base.g *= interpolate(corners, 1, t.at);
-        base.b *= interpolate(corners, 2, t.at);
-        base.a *= interpolate(corners, 3, t.at);
+        vertex = {interpolate(corners, 0, t.at), interpolate(corners, 1, t.at), interpolate(corners, 2, t.at),
+                  interpolate(corners, 3, t.at)};
     }
+    const bool is_mask = m.alpha_mode == scene::AlphaMode::mask;
+    MaskCut mask;
+    store(vertex.a, mask.vertex);
+    mask.factor = m.base_color.a, mask.cutoff = m.alpha_cutoff;
+    const Color texel = t.read(c.textures.base_color, m.base_color_texture, c.texcoords.base_color, 1.0,
+                               is_mask ? &mask : nullptr);
+    Color color = {texel.r * vertex.r, texel.g * vertex.g, texel.b * vertex.b, texel.a};
+    if (!is_mask)
+        color.a = texel.a * vertex.a * Real(m.base_color.a);
+    else if (!c.textures.base_color)
+        color.a = select(vertex.a * Real(m.base_color.a) < Real(m.alpha_cutoff), 0.0, 1.0);
+    return color;
+}
+
+Material material_at(const SurfaceContext& c, const Fragments& f, size_t at, const Texturing& t)
+{
+    const scene::Material& m = *c.material;
+    Color base = varying_color(c, f, at, t);
     base.r *= Real(m.base_color.r);
     base.g *= Real(m.base_color.g);
     base.b *= Real(m.base_color.b);
-    base.a *= Real(m.base_color.a);
     const Color rough = t.read(c.textures.metallic_roughness, m.metallic_roughness_texture,
                                c.texcoords.metallic_roughness, 1.0);
     const Color occlusion = t.read(c.textures.occlusion, m.occlusion_texture, c.texcoords.occlusion, 1.0);

@@ -26,18 +26,15 @@ bool same_surface(const Seen& a, const Seen& b, float least_cosine)
            std::fabs(glm::dot(b.point - a.point, a.normal)) < a.pixel_width;
 }
 
-// The share of a surface that is seen, 0 to 1, where its material has the given alpha.
-float shown(const scene::Material& material, float alpha)
+// The share of a surface that is seen, 0 to 1.
+float shown(const scene::Material& material, float opacity)
 {
-    if (material.alpha_mode == scene::AlphaMode::mask)
-        return alpha >= material.alpha_cutoff ? 1.0f : 0.0f;
-    return material.alpha_mode == scene::AlphaMode::blend ? std::clamp(alpha, 0.0f, 1.0f) : 1.0f;
+    return material.alpha_mode == scene::AlphaMode::opaque ? 1.0f : std::clamp(opacity, 0.0f, 1.0f);
 }
 
 // Adds weight * (r, g, b, 1) to a pixel.
-void add(image::RadianceImage& image, const glm::ivec2& at, float weight, const glm::vec3& rgb)
+void add(float* out, float weight, const glm::vec3& rgb)
 {
-    float* out = image.pixel(at.x, at.y);
     out[0] += weight * rgb.r;
     out[1] += weight * rgb.g;
     out[2] += weight * rgb.b;
@@ -350,10 +347,14 @@ void TileDrawer::resolve(Frame& frame, const TileArea& area)
                 continue;
             const int pixel = static_cast<int>(fragments_.pixel[at]);
             const glm::ivec2 place(area.x + pixel % area.width, area.y + pixel / area.width);
-            add(frame.radiance, place, weight,
+            float* const out = frame.radiance.pixel(place.x, place.y);
+            if (material.unlit)
+                add(frame.radiance.unlit.data() + (out - frame.radiance.values.data()), weight,
+                    three(emitted_r, at));
+            add(out, weight,
                 three(emitted_r, at) + three(direct_r, at) + three(ambient_r, at) + three(reflected_r, at));
             for (std::size_t i = 0; i < sources.size(); ++i)
-                add(frame.layers[i].image, place, weight, layer_value(sources[i], at));
+                add(frame.layers[i].image.pixel(place.x, place.y), weight, layer_value(sources[i], at));
         }
     }
 }

@@ -89,25 +89,56 @@ HWY_INLINE void store_place(const PackedTexture& t, vec2 uv, int which, TextureR
     store(wrapped(uv.y, t.sampler.wrap_v), reads.v[which]);
 }
 
+// What the alpha of a mask's texels is held against: they are there where alpha * vertex * factor reaches the cutoff.
+struct MaskCut {
+    alignas(64) float vertex[max_lanes];
+    float factor, cutoff;
+
+    float there(float alpha, size_t lane) const
+    {
+        return alpha * vertex[lane] * factor >= cutoff ? 1.0f : 0.0f;
+    }
+};
+
+// The finest level's own alpha is held against the cutoff; what coarser ones have is the share that is there, of texels that
+// could be.
+HWY_INLINE void add_masked(const PackedTexture& t, TextureRead read, const MaskCut& mask, size_t lane,
+                           float* sums)
+{
+    float own[8] = {};
+    add_bilinear(t, {read.level, read.u, read.v, 1.0f}, own);
+    const float alpha = own[3] + own[7], most = mask.there(1.0f, lane);
+    own[3] = read.level == 0 ? mask.there(alpha, lane) : alpha * most;
+    own[7] = 0.0f;
+    for (size_t i = 0; i < 8; ++i)
+        sums[i] += read.weight * own[i];
+}
+
 HWY_INLINE void add_reads(const PackedTexture& t, const TextureReads& reads, float weight,
-                          float* rgba_per_lane)
+                          const MaskCut* mask, float* rgba_per_lane)
 {
     for (size_t lane = 0; lane < lane_count; ++lane) {
         float sums[8] = {};
         const int fine = static_cast<int>(reads.level[lane]);
         const float fraction = reads.level[lane] - static_cast<float>(fine);
         const int next = reads.coarser;
-        add_bilinear(t, {fine, reads.u[0][lane], reads.v[0][lane], weight * (1.0f - fraction)}, sums);
+        const auto add = [&](TextureRead read) HWY_ATTR {
+            if (mask)
+                add_masked(t, read, *mask, lane, sums);
+            else
+                add_bilinear(t, read, sums);
+        };
+        add({fine, reads.u[0][lane], reads.v[0][lane], weight * (1.0f - fraction)});
         if (fraction > 0.0f)
-            add_bilinear(t, {fine + 1, reads.u[next][lane], reads.v[next][lane], weight * fraction}, sums);
+            add({fine + 1, reads.u[next][lane], reads.v[next][lane], weight * fraction});
         for (size_t i = 0; i < 4; ++i)
             rgba_per_lane[4 * lane + i] += sums[i] + sums[i + 4];
     }
 }
 
-// Filtered over the pixel's footprint. Samplers that ask for nearest texels get one of each level for each of the reads that
-// the footprint is made of.
-HWY_INLINE Color read_texture(const PackedTexture& t, TexturePoint p)
+// Filtered over the pixel's footprint. Of a mask's, alpha is the share that is there. Samplers that ask for nearest texels
+// get one of each level for each of the reads that the footprint is made of.
+HWY_INLINE Color read_texture(const PackedTexture& t, TexturePoint p, const MaskCut* mask = nullptr)
 {
     const scene::Sampler& sampler = t.sampler;
     const TextureFootprint footprint = texture_footprint(p, vec2(t.width[0], t.height[0]), t.levels - 1);
@@ -128,7 +159,7 @@ HWY_INLINE Color read_texture(const PackedTexture& t, TexturePoint p)
         store_place(t, any_nearest ? placed(t, uv, level, nearest) : uv, 0, where);
         if (any_nearest)
             store_place(t, placed(t, uv, level + 1.0, nearest), 1, where);
-        add_reads(t, where, 1.0f / static_cast<float>(reads), rgba);
+        add_reads(t, where, 1.0f / static_cast<float>(reads), mask, rgba);
     }
     Color c{0.0, 0.0, 0.0, 0.0};
     hn::LoadInterleaved4(FloatTag(), rgba, c.r.v, c.g.v, c.b.v, c.a.v);

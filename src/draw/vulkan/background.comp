@@ -68,7 +68,7 @@ void main()
         return;
     vec4 light = vec4(share * background_light(vec2(place + picture.tile.xy) + 0.5), 0.0);
     drawn[pixel] += light;
-    for (int layer = 0; layer < picture.samples.z; ++layer)
+    for (int layer = 0; layer < picture.samples.z; ++layer) // the one that is the background's alone
         if (picture.layers[layer / 4][layer % 4] < 0)
             drawn[(layer + 1) * pixels + pixel] += light;
 }

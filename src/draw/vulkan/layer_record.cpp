@@ -45,6 +45,12 @@ int layer_code(const LayerSource& source)
     return 4 * found->there + static_cast<int>(source.reading);
 }
 
+void add(int code, PictureRecord& record)
+{
+    record.layers[record.samples.z / 4][record.samples.z % 4] = code;
+    ++record.samples.z;
+}
+
 } // namespace
 
 void list_layers(std::span<const LayerSource> sources, PictureRecord& record)
@@ -56,10 +62,15 @@ void list_layers(std::span<const LayerSource> sources, PictureRecord& record)
     for (const LayerSource& source : sources)
         codes.push_back(layer_code(source));
     codes.push_back(background_code);
-    for (const int code : codes) {
-        record.layers[record.samples.z / 4][record.samples.z % 4] = code;
-        ++record.samples.z;
-    }
+    for (const int code : codes)
+        add(code, record);
+}
+
+void list_unlit(PictureRecord& record)
+{
+    if (record.samples.z >= most_layers)
+        throw Error(Failure::no_device, text("the device draws at most ", most_layers, " layers"));
+    add(4 * column_emitted + read_unlit, record);
 }
 
 } // namespace lambent::draw

@@ -13,4 +13,7 @@ namespace lambent::draw {
 /// what one of them shows.
 void list_layers(std::span<const LayerSource> sources, gpu_layout::PictureRecord& record);
 
+/// Lists after them what is shown without lighting. Throws likewise.
+void list_unlit(gpu_layout::PictureRecord& record);
+
 } // namespace lambent::draw

@@ -14,6 +14,15 @@ namespace {
 using namespace gpu_layout;
 using vulkan::Commands, vulkan::Groups;
 
+// The last one is what is shown without lighting, if anything is.
+void describe_layers(const Settings& settings, bool has_unlit, PictureRecord& record)
+{
+    if (settings.layers)
+        list_layers(layer_sources(settings.model), record);
+    if (has_unlit)
+        list_unlit(record);
+}
+
 void describe_rays(const RayMap& rays, PictureRecord& record)
 {
     record.origin = vec4(rays.origin, 0.0f);
@@ -67,8 +76,7 @@ PicturePasses::PicturePasses(const DeviceTools& tools, const PreparedPicture& pi
 {
     tools_.tile.place_looks(looks_);
     describe_rays(picture.rays, record_);
-    if (picture.settings.layers)
-        list_layers(layer_sources(picture.settings.model), record_);
+    describe_layers(picture.settings, tools.scene.has_unlit(), record_);
     record_.fragments.x = static_cast<int>(tools.tile.shape().capacity);
     record_.surfaces.x = picture.settings.roughness_override.value_or(-1.0f);
     record_.edges = {picture.edges.bend_cosine, picture.edges.shared_cosine, picture.edges.extent, 0.0f};
@@ -259,11 +267,19 @@ void PicturePasses::copy_to(const PictureArea& area, Frame& frame) const
 {
     const std::byte* from = tools_.tile.drawn().memory().data();
     const std::size_t row = static_cast<std::size_t>(area.width) * sizeof(vec4);
-    for (std::size_t layer = 0; layer <= frame.layers.size(); ++layer) {
-        image::RadianceImage& image = layer == 0 ? frame.radiance : frame.layers[layer - 1].image;
-        for (int y = 0; y < area.height; ++y, from += row)
-            std::memcpy(image.pixel(area.x, area.y + y), from, row);
-    }
+    const auto copy = [&](std::vector<float>& values) {
+        for (int y = 0; y < area.height; ++y, from += row) {
+            const auto at =
+                static_cast<std::size_t>(area.y + y) * static_cast<std::size_t>(frame.radiance.width) +
+                static_cast<std::size_t>(area.x);
+            std::memcpy(values.data() + 4 * at, from, row);
+        }
+    };
+    copy(frame.radiance.values);
+    for (Layer& layer : frame.layers)
+        copy(layer.image.values);
+    if (!frame.radiance.unlit.empty())
+        copy(frame.radiance.unlit);
 }
 
 } // namespace lambent::draw

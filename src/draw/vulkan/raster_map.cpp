@@ -43,6 +43,20 @@ double furthest(const glm::dvec4& t, const glm::dvec3& origin, const scene::Boun
     return most;
 }
 
+constexpr glm::dvec4 one(0.0, 0.0, 0.0, 1.0);
+
+// 1 at `near` and 0 at `far`, times t: near / t where nothing is further away, whose steps are as fine far away as they are
+// near.
+glm::dvec4 perspective_depth(const glm::dvec4& t, double near, double far, double most)
+{
+    return far < most ? near / (far - near) * (far * one - t) : near * one;
+}
+
+glm::dvec4 flat_depth(const glm::dvec4& t, double near, double far)
+{
+    return far / (far - near) * one - t / (far - near);
+}
+
 // One axis: the window's places from -1 to 1, times w.
 gpu_layout::vec4 across(const glm::dvec4& place, const glm::dvec4& w, double first, int size)
 {
@@ -62,16 +76,19 @@ std::optional<gpu_layout::RasterConstants> raster_map(const RayMap& rays, const 
     if (!inverse)
         return std::nullopt;
     const Seen seen = {row(*inverse, 0), row(*inverse, 1), row(*inverse, 2)};
-    const glm::dvec4 one(0.0, 0.0, 0.0, 1.0), w = perspective ? seen.t : one;
-    // A perspective's depth is nearest / t, whose steps are as fine far away as they are near.
+    const glm::dvec4 w = perspective ? seen.t : one;
     const double most = furthest(seen.t, origin, bounds);
     if (!(most > 0.0) || !std::isfinite(most))
         return std::nullopt;
-    const double nearest = 1e-7 * most;
+    const double near = static_cast<double>(rays.near), far = static_cast<double>(rays.far);
+    if (!(near < most))
+        return std::nullopt;
     gpu_layout::RasterConstants map{};
     map.row_x = across(seen.tx, w, window.x + static_cast<double>(window.place.x) - 0.5, window.width);
     map.row_y = across(seen.ty, w, window.y + static_cast<double>(window.place.y) - 0.5, window.height);
-    map.row_z = gpu_layout::vec4(perspective ? nearest * one : one - seen.t / (1.001 * most));
+    map.row_z =
+        gpu_layout::vec4(perspective ? perspective_depth(seen.t, std::max(near, 1e-7 * most), far, most)
+                                     : flat_depth(seen.t, near, std::min(far, 1.001 * most)));
     map.row_w = gpu_layout::vec4(w);
     return map;
 }

@@ -11,13 +11,9 @@ layout(constant_id = constant_through) const int through = 1;
 const float least_weight = 1.0 / 1024.0; // as draw/prepared_picture.h says
 
 // The share of a surface that is seen, 0 to 1.
-float shown(uint instance, float alpha)
+float shown(uint instance, float opacity)
 {
-    uint material = instances[instance].ids.y;
-    int mode = materials[material].kind.x;
-    if (mode == alpha_mask)
-        return alpha >= materials[material].numbers.w ? 1.0 : 0.0;
-    return mode == alpha_blend ? clamp(alpha, 0.0, 1.0) : 1.0;
+    return materials[instances[instance].ids.y].kind.x == alpha_opaque ? 1.0 : clamp(opacity, 0.0, 1.0);
 }
 
 vec3 picture_light(uint at)
@@ -29,7 +25,7 @@ vec3 layer_value(int layer, uint at)
 {
     int source = picture.layers[layer / 4][layer % 4];
     int column = source >> 2;
-    if ((source & 3) == read_three)
+    if ((source & 3) == read_three || (source & 3) == read_unlit)
         return load3(column, at);
     float value = load(column, at);
     return vec3((source & 3) == read_root ? sqrt(value) : value);
@@ -71,6 +67,8 @@ vec4 drawn_light(int layer, uvec4 span)
         float weight = record.place.z;
         if (through == 1)
             weight *= shown(record.ids.x, load(column_opacity, at));
+        if (layer >= 0 && (picture.layers[layer / 4][layer % 4] & 3) == read_unlit && load(column_lit, at) > 0.0)
+            continue;
         if (weight > 0.0)
             sum += weight * vec4(layer < 0 ? picture_light(at) : layer_value(layer, at), 1.0);
     }

@@ -188,8 +188,9 @@ void SceneOnDevice::place_materials(const vulkan::Device& device, const scene::S
                                     const SceneTextures& textures)
 {
     std::vector<MaterialRecord> records;
-    for (const scene::Material& m : scene.materials) {
-        const MaterialTextures own = textures.of(m);
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        const scene::Material& m = scene.materials[i];
+        const MaterialTextures own = textures.of(i);
         MaterialRecord record{};
         record.base_color = m.base_color;
         record.emissive = vec4(m.emissive, m.normal_scale);
@@ -198,6 +199,7 @@ void SceneOnDevice::place_materials(const vulkan::Device& device, const scene::S
         record.phong_specular = given(m.phong.specular);
         record.phong_exponent = {m.phong.exponent.value_or(0.0f), m.phong.exponent ? 1.0f : 0.0f, 0.0f, 0.0f};
         record.kind = {alpha_of(m.alpha_mode), m.unlit ? 1 : 0, 0, 0};
+        has_unlit_ = has_unlit_ || m.unlit;
         record.uses[use_base_color] = use_record(m.base_color_texture, textures.index(own.base_color));
         record.uses[use_metallic_roughness] =
             use_record(m.metallic_roughness_texture, textures.index(own.metallic_roughness));

@@ -35,6 +35,9 @@ public:
     /// What is drawn with backs and what without.
     const std::vector<vulkan::DrawBatch>& batches() const { return batches_; }
 
+    /// Whether anything is shown without lighting.
+    bool has_unlit() const { return has_unlit_; }
+
     /// Whether something is behind other things and seen.
     bool transparent() const { return transparent_; }
 
@@ -53,6 +56,7 @@ private:
         codes_, draws_;
     std::vector<vulkan::Buffer> texels_;
     std::vector<vulkan::DrawBatch> batches_;
+    bool has_unlit_ = false;
     bool transparent_ = false;
 };
 

@@ -57,13 +57,17 @@ TexturePoint texture_point(UseRecord use, uint set, Place p)
 const int use_count = 5;
 
 // All of a material's textures, 1 where it has none. One loop: compilers take their time over them.
-void read_textures(uint material, Place p, out vec4 read[use_count])
+void read_textures(uint material, Place p, vec4 vertex, out vec4 read[use_count])
 {
+    MaskCut mask = MaskCut(false, vertex.a, materials[material].base_color.a, materials[material].numbers.w);
     for (int i = 0; i < use_count; ++i) {
+        mask.used = i == use_base_color && materials[material].kind.x == alpha_mask;
         UseRecord use = materials[material].uses[i];
         read[i] = vec4(1.0);
         if (textured == 1 && use.ids.x >= 0)
-            read[i] = read_texture(use.ids.x, texture_point(use, i < 4 ? p.instance.sets[i] : p.instance.ids.z, p));
+            read[i] = read_texture(use.ids.x, texture_point(use, i < 4 ? p.instance.sets[i] : p.instance.ids.z, p), mask);
+        else if (mask.used)
+            read[i].a = there(mask, 1.0);
     }
 }
 
@@ -86,11 +90,11 @@ void store_phong(uint material, Phong phong, uint at)
     store(exponent.y == 1.0 ? exponent.x : phong.exponent, column_gloss, at);
 }
 
-void store_material(uint material, Place p, vec4 read[use_count], uint at)
+// Of masks, alpha is what their texture was read as: 1 where they are there, and where texels are smaller than pixels the
+// share of them that is.
+void store_material(uint material, vec4 vertex, vec4 read[use_count], uint at)
 {
-    vec4 base = materials[material].base_color * read[use_base_color];
-    if (p.mesh.vectors.w != no_words)
-        base *= fours_at(p, p.mesh.vectors.w);
+    vec4 base = materials[material].base_color * read[use_base_color] * vertex;
     vec4 numbers = materials[material].numbers;
     float metalness = clamp(read[use_metallic_roughness].b * numbers.x, 0.0, 1.0);
     float roughness = picture.surfaces.x;
@@ -99,7 +103,8 @@ void store_material(uint material, Place p, vec4 read[use_count], uint at)
     ivec4 kind = materials[material].kind;
     store(metalness, column_metalness, at);
     store(1.0 + numbers.z * (read[use_occlusion].r - 1.0), column_occlusion, at);
-    store(kind.x == alpha_opaque ? 1.0 : base.a, column_opacity, at);
+    float opacity = kind.x == alpha_mask ? read[use_base_color].a : base.a;
+    store(kind.x == alpha_opaque ? 1.0 : opacity, column_opacity, at);
     if (model == model_phong) {
         store_phong(material, phong_from_metallic(base.rgb, metalness, roughness), at);
     } else {
@@ -126,7 +131,8 @@ void main()
     Place place = Place(instance, mesh, corners, facet.at);
     Turning turning = shading_normal(place);
     vec4 read[use_count];
-    read_textures(instance.ids.y, place, read);
+    vec4 vertex = mesh.vectors.w == no_words ? vec4(1.0) : fours_at(place, mesh.vectors.w);
+    read_textures(instance.ids.y, place, vertex, read);
     vec3 normal = bumped(instance.ids.y, place, turning.normal, read[use_normal]);
     Surface surface = surface_at(sight, facet, turning, normal, instance.normal_z.w);
     store3(facet.position, column_position, at);
@@ -135,7 +141,7 @@ void main()
     store3(surface.normal, column_normal, at);
     store3(record.place.w * surface.mirrored_dx, column_mirrored_dx, at);
     store3(record.place.w * surface.mirrored_dy, column_mirrored_dy, at);
-    store_material(instance.ids.y, place, read, at);
+    store_material(instance.ids.y, vertex, read, at);
     for (int column = column_direct; column < column_depth; ++column)
         store(0.0, column, at);
 }

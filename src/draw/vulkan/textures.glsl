@@ -40,7 +40,28 @@ vec2 placed(TextureRecord t, vec2 uv, int level, bool nearest)
     return vec2(wrapped(uv.x, t.reading.x), wrapped(uv.y, t.reading.y));
 }
 
-vec4 read_texture(int index, TexturePoint p)
+// What the alpha of a mask's texels is held against: they are there where alpha * vertex * factor reaches the cutoff.
+struct MaskCut {
+    bool used;
+    float vertex;
+    float factor;
+    float cutoff;
+};
+
+float there(MaskCut mask, float alpha) { return alpha * mask.vertex * mask.factor >= mask.cutoff ? 1.0 : 0.0; }
+
+// The finest level's own alpha is held against the cutoff; what coarser ones have is the share that is there, of texels that
+// could be.
+vec4 masked_level_at(TextureRecord t, vec2 uv, int level, MaskCut mask)
+{
+    vec4 texel = level_at(t, uv, level);
+    if (mask.used)
+        texel.a = level == 0 ? there(mask, texel.a) : texel.a * there(mask, 1.0);
+    return texel;
+}
+
+// Of a mask's, alpha is the share that is there.
+vec4 read_texture(int index, TexturePoint p, MaskCut mask)
 {
     TextureRecord t = textures[index];
     vec2 size = vec2(t.levels[0].xy);
@@ -53,9 +74,9 @@ vec4 read_texture(int index, TexturePoint p)
     vec4 sum = vec4(0.0);
     for (int i = 0; i < reads; ++i) {
         vec2 uv = p.uv + ((float(i) + 0.5) / float(reads) - 0.5) * f.axis;
-        sum += (1.0 - coarser) * level_at(t, placed(t, uv, fine, nearest), fine);
+        sum += (1.0 - coarser) * masked_level_at(t, placed(t, uv, fine, nearest), fine, mask);
         if (coarser > 0.0)
-            sum += coarser * level_at(t, placed(t, uv, fine + 1, nearest), fine + 1);
+            sum += coarser * masked_level_at(t, placed(t, uv, fine + 1, nearest), fine + 1, mask);
     }
     return sum / float(reads);
 }

@@ -14,7 +14,7 @@ namespace {
 // A picture, tile by tile from its top left. All of it is here, not on the device.
 struct Unfinished {
     Unfinished(const scene::Scene& scene, const environment::Environment* environment, const Settings& given)
-        : settings(given), prepared(scene.lights, environment, settings), frame(blank_frame(settings))
+        : settings(given), prepared(scene.lights, environment, settings), frame(blank_frame(settings, scene))
     {
     }
 
@@ -71,8 +71,8 @@ public:
         const PassChoice choice = {static_cast<int>(look_places(picture.prepared.edges).size()),
                                    settings.model, settings.mip_level, !first_.images.empty(),
                                    prepared_->transparent()};
-        const TileShape shape =
-            tile_shape(device_, settings, choice.looks, static_cast<int>(picture.frame.layers.size()));
+        const std::size_t layers = picture.frame.layers.size() + (prepared_->has_unlit() ? 1 : 0);
+        const TileShape shape = tile_shape(device_, settings, choice.looks, static_cast<int>(layers));
         prepare_tile(shape);
         EnvironmentOnDevice& environment = environment_.of(device_, picture.prepared.light);
         PicturePasses passes({device_, *layout_, *prepared_, *tile_, environment, passes_for(choice)},
