@@ -142,16 +142,19 @@ HWY_FLATTEN void resample_row(const ResampleRow& row, CubeChain& chain)
     const PanoramaView picture{reinterpret_cast<const int32_t*>(p.texels.data()), p.width, p.height,
                                row.limit / p.scale};
     const int size = chain.face_size(0);
-    const Real weight = p.scale / chain.scale / static_cast<float>(row.points->size());
+    const Real scale = p.scale / chain.scale;
     uint16_t* out = chain.halfs() + 3 * chain.texel(0, row.face, 0, row.y);
     for (int x = row.first; x < row.end; x += static_cast<int>(lane_count)) {
         vec3 sum(0.0);
+        Real solid_angles = 0.0; // relative to each other
         for (const TexelPoint& point : *row.points) {
             const Real t = (static_cast<float>(row.y) + point.y) * 2.0f / static_cast<float>(size) - 1.0f;
-            const vec3 d = normalize(direction_from_cube(row.face, face_coordinate(x, point.x, size), t));
-            sum += panorama_bilinear(picture, equirectangular_from_direction(d));
+            const vec3 d = direction_from_cube(row.face, face_coordinate(x, point.x, size), t);
+            const Real inverse = inversesqrt(dot(d, d)), solid_angle = inverse * inverse * inverse;
+            sum += solid_angle * panorama_bilinear(picture, equirectangular_from_direction(inverse * d));
+            solid_angles += solid_angle;
         }
-        store_halfs(weight * sum, lanes_left(x, row.end), out + 3 * x);
+        store_halfs(scale / solid_angles * sum, lanes_left(x, row.end), out + 3 * x);
     }
 }
 

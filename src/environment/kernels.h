@@ -28,7 +28,7 @@ struct TexelPoint {
     float x, y;
 };
 
-/// Texels [first, end) of a row of level 0 of a cube: the mean of bilinear lookups at these points, as halfs over
+/// Texels [first, end) of a row of level 0 of a cube: the mean over solid angle of bilinear lookups at these points, as halfs over
 /// `chain.scale`. Texels of the panorama above `limit` radiance are dimmed to it.
 struct ResampleRow {
     const Panorama* panorama;

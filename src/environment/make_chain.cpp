@@ -3,9 +3,7 @@
 #include "environment/kernels.h"
 #include "environment/peaks.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,12 +55,10 @@ struct Resampling {
     std::vector<TexelPoint> points;
 };
 
-// Points of a texel no further apart than the panorama's texels at a face's centre, where its own are largest.
-std::vector<TexelPoint> texel_points(int panorama_width, int face_size, double density = 1.5)
+// So many across, or more.
+std::vector<TexelPoint> grid_of_points(double least_across)
 {
-    if (panorama_width <= 4 * face_size) // nearly so with one; these two lie on a diagonal
-        return {{0.25f, 0.75f}, {0.75f, 0.25f}};
-    const int across = static_cast<int>(std::ceil(density / std::numbers::pi * panorama_width / face_size));
+    const int across = std::max(static_cast<int>(std::ceil(least_across)), 1);
     std::vector<TexelPoint> points;
     for (int i = 0; i < across * across; ++i) {
         const int column = i % across, row = i / across;
@@ -70,6 +66,20 @@ std::vector<TexelPoint> texel_points(int panorama_width, int face_size, double d
                           (static_cast<float>(row) + 0.5f) / static_cast<float>(across)});
     }
     return points;
+}
+
+// Points of a texel no further apart than the panorama's texels at a face's centre, where its own are largest.
+std::vector<TexelPoint> texel_points(int panorama_width, int face_size, double density = 1.5)
+{
+    if (panorama_width <= 4 * face_size) // nearly so with one; these two lie on a diagonal
+        return {{0.25f, 0.75f}, {0.75f, 0.25f}};
+    return grid_of_points(density / std::numbers::pi * panorama_width / face_size);
+}
+
+// A third of that apart: so near that a lone bright texel of the panorama keeps its light.
+std::vector<TexelPoint> dense_points(int panorama_width, int face_size)
+{
+    return grid_of_points(3.0 / std::numbers::pi * panorama_width / face_size);
 }
 
 // Texels [first, end) of a row.
@@ -115,6 +125,21 @@ std::vector<Range> around(const Peaks& peaks, const Panorama& panorama, int size
     return rows;
 }
 
+// The faces' texels about the peaks once more, so that these keep their light.
+void resample_peaks(const Panorama& panorama, const Peaks& peaks, CubeChain& chain)
+{
+    if (peaks.peaks.empty())
+        return;
+    const int size = chain.face_size(0);
+    constexpr float narrow =
+        0.8f; // texels are narrower than high above 60 degrees, and a peak has some about it
+    const bool near_pole = std::ranges::any_of(
+        peaks.peaks, [](const Peak& peak) { return std::fabs(peak.direction[1]) > narrow; });
+    const Panorama round = near_pole ? with_round_texels(panorama) : Panorama{};
+    resample({near_pole ? &round : &panorama, brightest_of_all, dense_points(panorama.width, size)},
+             around(peaks, panorama, size), chain);
+}
+
 // Standard deviation, in radians, by which a level has to be blurred to become the next.
 double step_deviation(const CubeChain& chain, int level)
 {
@@ -144,20 +169,6 @@ void add_peaks(const Peaks& peaks, int level, CubeChain& chain)
     fill_borders(chain, level);
 }
 
-float brightest_of(const Panorama& panorama)
-{
-    const auto brightest_row = [&](const tbb::blocked_range<int>& rows, float most) {
-        for (int y = rows.begin(); y < rows.end(); ++y)
-            for (int x = 0; x < panorama.width; ++x) {
-                const Rgb c = panorama.radiance(x, y);
-                most = std::max(most, std::max(c.r, std::max(c.g, c.b)));
-            }
-        return most;
-    };
-    return tbb::parallel_reduce(tbb::blocked_range<int>(0, panorama.height, 32), 0.0f, brightest_row,
-                                [](float a, float b) { return std::max(a, b); });
-}
-
 // `apart` says which lamps are left out of which levels.
 Blurs build(const Panorama& panorama, Lamps (*apart)(const Peaks&, const CubeChain&))
 {
@@ -178,7 +189,7 @@ Blurs build(const Panorama& panorama, Lamps (*apart)(const Peaks&, const CubeCha
         blurs.lamps = apart(peaks, chain);
         const int end = std::min(blurs.lamps.last_level + 1, chain.levels);
         tbb::parallel_for(1, std::max(end, 1), [&](int level) { add_peaks(peaks, level, chain); });
-        resample({&panorama, brightest_of_all, points}, around(peaks, panorama, size), chain);
+        resample_peaks(panorama, peaks, chain);
     }
     return blurs;
 }
@@ -211,12 +222,13 @@ CubeChain resampled(const Panorama& panorama, int log2_size)
     // Many texels to one of a face are added up before.
     if (panorama.width > (16 << log2_size) && panorama.width % 2 == 0 && panorama.height % 2 == 0)
         return resampled(halved(panorama), log2_size);
-    const double brightest = brightest_of(panorama);
+    const Peaks peaks = find_peaks(panorama);
     CubeChain chain;
     chain.allocate(log2_size, 1);
-    chain.scale = chain_scale(static_cast<float>(brightest));
+    chain.scale = chain_scale(peaks.brightest);
     resample({&panorama, brightest_of_all, texel_points(panorama.width, chain.face_size(0), 1.0)},
              all_of(chain.face_size(0)), chain);
+    resample_peaks(panorama, peaks, chain);
     return chain;
 }
 

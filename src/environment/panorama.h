@@ -55,4 +55,8 @@ Panorama at_least(const Panorama& panorama, int width, int height);
 /// Width and height must be even.
 Panorama halved(const Panorama& panorama);
 
+/// Texels that are narrower than high, towards the poles, averaged along their rows until they are not: so that points of a
+/// texel's height apart meet each, with its light.
+Panorama with_round_texels(const Panorama& panorama);
+
 } // namespace lambent::environment

@@ -83,10 +83,13 @@ private:
     void fill_row(int y, float* rgb) const
     {
         std::fill_n(rgb, 3 * static_cast<std::size_t>(width_), 0.0f);
-        const float share = 1.0f / static_cast<float>(across_ * across_);
+        const auto polar = [&](int j) { return (y + (j + 0.5) / across_) / height_ * pi; };
+        double rings = 0.0;
+        for (int j = 0; j < across_; ++j)
+            rings += std::sin(polar(j));
         for (int j = 0; j < across_; ++j) {
-            const double theta = (y + (j + 0.5) / across_) / height_ * pi;
-            const double up = std::cos(theta), ring = std::sin(theta);
+            const double up = std::cos(polar(j)), ring = std::sin(polar(j));
+            const float share = static_cast<float>(ring / (rings * across_));
             for (int i = 0; i < across_ * width_; ++i) {
                 const Turn turn = turns_[static_cast<std::size_t>(i)];
                 const Direction d = {ring * turn.cosine, up, ring * turn.sine};

@@ -64,7 +64,8 @@ TEST(EnvironmentLight, MirrorsShowTheMirroredDirection)
                  glm::rotate(glm::mat4(1.0f), -0.78539816f, glm::vec3(1, 0, 0)));
     const Settings settings = testing::small_settings(9, 9, testing::front_camera(0.5f));
     const environment::Environment above = lamp({0, 1, 0}), beside = lamp({1, 0, 0});
-    EXPECT_NEAR(pixel(testing::draw(scene, &above, settings), 4, 4).r, 1.0f, 1e-2f);
+    // The lamp, whose middle is just there, is a lamp of the lobe's, too, to a little extent.
+    EXPECT_NEAR(pixel(testing::draw(scene, &above, settings), 4, 4).r, 1.0f, 2e-2f);
     EXPECT_NEAR(pixel(testing::draw(scene, &beside, settings), 4, 4).r, 0.0f, 1e-2f);
     scene.materials[0].perceptual_roughness = 0.5f;
     const float blurred = pixel(testing::draw(scene, &above, settings), 4, 4).r;

@@ -236,7 +236,7 @@ void expect_panorama(const Bytes& bytes, int width, int height)
             const double d[3] = {std::sin(theta) * std::cos(phi), std::cos(theta),
                                  std::sin(theta) * std::sin(phi)};
             for (int c = 0; c < 3; ++c)
-                ASSERT_NEAR(image.pixel(x, y)[c], 1.5 + d[c], 0.01) << x << "," << y << "," << c;
+                ASSERT_NEAR(image.pixel(x, y)[c], 1.5 + d[c], 0.02) << x << "," << y << "," << c;
         }
 }
 
