@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t most_lamps = 16;
 
 // How far from a lamp's middle its light may come, in texels of the first level that is without it.
-constexpr double reach = 1.7;
+constexpr double lamp_reach = 1.7;
 
 double light_of(const Peak& peak)
 {
@@ -89,7 +89,7 @@ Lamps choose_lamps(const Peaks& peaks, const CubeChain& chain)
     for (int level = 0; level + 1 < chain.levels; ++level) {
         const double texel = std::numbers::pi / 2.0 / chain.face_size(level + 1);
         std::vector<Lamp> lamps =
-            gathered(merged(peaks.peaks, static_cast<float>(0.5 * texel)), reach * texel);
+            gathered(merged(peaks.peaks, static_cast<float>(0.5 * texel)), lamp_reach * texel);
         if (lamps.size() <= most_lamps)
             return {std::move(lamps), level};
     }

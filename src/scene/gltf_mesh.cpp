@@ -2,6 +2,7 @@
 
 #include "scene/gltf_deform.h"
 #include "scene/gltf_primitive.h"
+#include "scene/index.h"
 #include "scene/parallel.h"
 #include "scene/transform.h"
 
@@ -17,11 +18,6 @@ namespace {
 constexpr std::uint64_t free_elements = 2'000'000;
 constexpr std::uint64_t elements_per_byte = 16;
 constexpr std::size_t most_instances = 1'000'000;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 // What is read, and who shows it.
 struct Plan {
