@@ -14,8 +14,8 @@ constexpr double pi = std::numbers::pi;
 struct Sensitivity {
     double a, b;
 };
-constexpr Sensitivity achromatic{1.0, 0.0047}, red_green{1.0, 0.0053},
-    blue_yellow[2] = {{34.1, 0.04}, {13.5, 0.025}};
+constexpr Sensitivity to_light{1.0, 0.0047}, to_red_green{1.0, 0.0053},
+    to_blue_yellow[2] = {{34.1, 0.04}, {13.5, 0.025}};
 
 // Visual angle in degrees between the trough and the peak of an edge detector (section 4.2.1).
 constexpr double edge_width = 0.082;
@@ -81,15 +81,15 @@ Weights sensitivity(const Sensitivity& s, double pixels_per_degree, int radius)
 void add_contrast_filters(double pixels_per_degree, FlipFilters& filters)
 {
     // Three standard deviations of the widest, for all (section 4.1.2).
-    const double widest = std::sqrt(blue_yellow[0].b / (2.0 * pi * pi));
+    const double widest = std::sqrt(to_blue_yellow[0].b / (2.0 * pi * pi));
     const int radius = static_cast<int>(std::ceil(3.0 * widest * pixels_per_degree));
-    filters.achromatic = finished(normalised(sensitivity(achromatic, pixels_per_degree, radius)));
-    filters.red_green = finished(normalised(sensitivity(red_green, pixels_per_degree, radius)));
+    filters.achromatic = finished(normalised(sensitivity(to_light, pixels_per_degree, radius)));
+    filters.red_green = finished(normalised(sensitivity(to_red_green, pixels_per_degree, radius)));
     double shares[2];
     for (int k = 0; k < 2; ++k) {
-        const Weights weights = sensitivity(blue_yellow[k], pixels_per_degree, radius);
+        const Weights weights = sensitivity(to_blue_yellow[k], pixels_per_degree, radius);
         // What the whole square of weights adds up to.
-        shares[k] = blue_yellow[k].a * std::sqrt(pi / blue_yellow[k].b) * sum(weights) * sum(weights);
+        shares[k] = to_blue_yellow[k].a * std::sqrt(pi / to_blue_yellow[k].b) * sum(weights) * sum(weights);
         filters.blue_yellow[k] = finished(normalised(weights));
     }
     for (int k = 0; k < 2; ++k)

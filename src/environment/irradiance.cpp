@@ -18,7 +18,7 @@ namespace {
 
 // Cells of at most this many columns and rows, where the time is spent. At 64x32 irradiance is off by less than 1e-3, at
 // most h^2 / 12 for cells h high (tests/environment).
-constexpr int most_columns = 64, most_rows = 32;
+constexpr int most_cell_columns = 64, most_cell_rows = 32;
 
 struct Trigonometry {
     std::vector<float> cosine, sine; // of the azimuth of each column
@@ -59,7 +59,7 @@ void add_to_cell(const Panorama& p, const Trigonometry& t, int y, std::pair<int,
 
 LightCells gather_cells(const Panorama& p)
 {
-    const int columns = std::min(p.width, most_columns), rows = std::min(p.height, most_rows);
+    const int columns = std::min(p.width, most_cell_columns), rows = std::min(p.height, most_cell_rows);
     const std::size_t count = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
     LightCells cells;
     for (auto* axis : {&cells.x, &cells.y, &cells.z})

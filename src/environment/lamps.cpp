@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t most_lamps = 16;
 
 // How far from a lamp's middle its light may come, in texels of the first level that is without it.
-constexpr double reach = 1.7;
+constexpr double lamp_reach = 1.7;
 
 // Of level 0, which lobes of any width are read at: there lamps are no wider than this asks for, however small the panorama.
 constexpr double widest_texel = 0.025;
@@ -93,7 +93,7 @@ Lamps choose_lamps(const Peaks& peaks, const CubeChain& chain)
         const double next = std::numbers::pi / 2.0 / chain.face_size(level + 1);
         const double texel = level == 0 ? std::min(next, widest_texel) : next;
         std::vector<Lamp> lamps =
-            gathered(merged(peaks.peaks, static_cast<float>(0.5 * texel)), reach * texel);
+            gathered(merged(peaks.peaks, static_cast<float>(0.5 * texel)), lamp_reach * texel);
         if (lamps.size() <= most_lamps)
             return {std::move(lamps), level};
     }

@@ -18,7 +18,7 @@ constexpr double angle_span = 0.18;
 
 constexpr int heights = 16; // directions from a point: as many from down to up ...
 constexpr int sides = 2;    // ... towards the sun and away from it
-constexpr int steps = 8;
+constexpr int scattering_steps = 8;
 
 constexpr float even = static_cast<float>(0.25 / std::numbers::pi); // phase function of even scattering
 
@@ -39,7 +39,7 @@ Sent sent_along(const Atmosphere& atmosphere, const Ray& ray, const Ray& towards
         sent.once += even * (scattered * sunlight_at(atmosphere, sun));
         sent.transfer += scattered;
     };
-    const Spectrum passed = march(atmosphere, ray, length, steps, visit);
+    const Spectrum passed = march(atmosphere, ray, length, scattering_steps, visit);
     if (meets_ground) {
         const Ray sun = sun_from(towards_sun, between_cosine, length, 0.0);
         const float incidence = static_cast<float>(std::max(0.0, sun.cosine) / std::numbers::pi);

@@ -12,7 +12,7 @@
 namespace lambent::environment {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // From nits or lux to the panorama's unit. Colours beyond Rec. 709 lose their negative part.
 Rgb in_units(const Rgb& c)

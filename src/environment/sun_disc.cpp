@@ -10,7 +10,7 @@
 namespace lambent::environment {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // The limb's radiance falls as the cosine at the sun's surface to this power: -0.023 + 0.292 / 0.55 micrometres.
 constexpr double limb_exponent = 0.508;

@@ -14,7 +14,7 @@ namespace {
 using Direction = std::array<double, 3>;
 
 // On a face, from the upper left corner of the first texel, in texels.
-struct Place {
+struct FacePlace {
     int face;
     double x, y;
 };
@@ -27,7 +27,7 @@ Direction direction_of(int face, double x, double y, int size)
     return all[static_cast<std::size_t>(face)];
 }
 
-Place place_of(const Direction& d, int size)
+FacePlace place_of(const Direction& d, int size)
 {
     std::size_t axis = 0;
     for (std::size_t i = 1; i < 3; ++i)
@@ -63,7 +63,7 @@ struct Level {
 
 // Calls visit(x, y, weight) for the four texels around a point.
 template <class Visit>
-void around(const Place& at, const Visit& visit)
+void around(const FacePlace& at, const Visit& visit)
 {
     const double x = std::floor(at.x - 0.5), y = std::floor(at.y - 0.5);
     const double u = at.x - 0.5 - x, v = at.y - 0.5 - y;
@@ -76,12 +76,12 @@ void around(const Place& at, const Visit& visit)
 
 // Bilinear. Beyond an edge the face's plane goes on, and what would be its texel there is looked up, bilinearly
 // too, among those of the neighbouring face.
-void look_up(const Level& level, const Place& at, float* rgb)
+void look_up(const Level& level, const FacePlace& at, float* rgb)
 {
     around(at, [&](int x, int y, double weight) {
         if (level.has(x, y))
             return level.add_texel(at.face, x, y, weight, rgb);
-        const Place there = place_of(direction_of(at.face, x + 0.5, y + 0.5, level.size), level.size);
+        const FacePlace there = place_of(direction_of(at.face, x + 0.5, y + 0.5, level.size), level.size);
         around(there,
                [&](int i, int j, double share) { level.add_texel(there.face, i, j, weight * share, rgb); });
     });

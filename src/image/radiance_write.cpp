@@ -14,7 +14,7 @@ namespace {
 // A run of less than four bytes is no shorter than staying in the literal around it.
 constexpr std::size_t shortest_run = 4;
 constexpr std::size_t longest_run = 127;
-constexpr std::size_t longest_literal = 128;
+constexpr std::size_t most_literals = 128;
 
 std::size_t run_at(const std::uint8_t* plane, std::size_t at, std::size_t length)
 {
@@ -28,7 +28,7 @@ std::size_t run_at(const std::uint8_t* plane, std::size_t at, std::size_t length
 void append_literals(std::vector<std::uint8_t>& out, const std::uint8_t* bytes, std::size_t count)
 {
     while (count > 0) {
-        const std::size_t some = std::min(count, longest_literal);
+        const std::size_t some = std::min(count, most_literals);
         out.push_back(static_cast<std::uint8_t>(some));
         out.insert(out.end(), bytes, bytes + some);
         bytes += some;
@@ -43,7 +43,7 @@ void append_plane(std::vector<std::uint8_t>& out, const std::uint8_t* plane, std
         const std::size_t run = run_at(plane, at, length);
         if (run >= shortest_run) {
             append_literals(out, plane + literal, at - literal);
-            out.push_back(static_cast<std::uint8_t>(longest_literal + run));
+            out.push_back(static_cast<std::uint8_t>(most_literals + run));
             out.push_back(plane[at]);
             literal = at + run;
         }

@@ -12,7 +12,7 @@
 namespace lambent::kitchen {
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
+constexpr float turn = 2.0f * std::numbers::pi_v<float>;
 
 std::uint8_t code(float linear)
 {
@@ -40,7 +40,7 @@ glm::vec3 wood(float u, float v)
 {
     // Year rings, cut lengthwise: bands across that wander slowly along the board.
     const float wander = 1.6f * fractal_noise(u, v, {3, 2, 11}, 3);
-    const float ring = 0.5f + 0.5f * std::sin(2.0f * pi * (9.0f * u + wander));
+    const float ring = 0.5f + 0.5f * std::sin(turn * (9.0f * u + wander));
     const float late = ring * ring * ring; // late wood is a narrow dark line
     const float fibre = fractal_noise(u, v, {128, 6, 23}, 2);
     const float pore = std::max(value_noise(256.0f * u, 16.0f * v, {256, 16, 37}) - 0.55f, 0.0f);
@@ -74,7 +74,7 @@ glm::vec3 rug(float u, float v)
         const float away = std::fabs(s - std::floor(s) - 0.5f) + std::fabs(t - std::floor(t) - 0.5f);
         color = away < 0.14f ? rust : away > 0.26f && away < 0.36f ? blue : wool;
     }
-    const float thread = 0.5f + 0.5f * std::sin(2.0f * pi * 128.0f * v);
+    const float thread = 0.5f + 0.5f * std::sin(turn * 128.0f * v);
     const float worn = fractal_noise(u, v, {6, 6, 83}, 4);
     return color * (0.9f - 0.12f * thread + 0.12f * worn);
 }

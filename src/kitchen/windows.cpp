@@ -28,11 +28,12 @@ namespace {
 
 using namespace plan;
 
-constexpr float back = -0.2f, front = -0.13f; // of the frames within the wall
+constexpr float frame_back = -0.2f, frame_front = -0.13f; // of the frames within the wall
 
 void add_bar(const Site& site, const glm::vec2& low, const glm::vec2& high)
 {
-    site.box(Stuff::black, {{low.x, low.y, back}, {high.x, high.y, front}, 0.006f}, glm::vec3(1.6f));
+    site.box(Stuff::black, {{low.x, low.y, frame_back}, {high.x, high.y, frame_front}, 0.006f},
+             glm::vec3(1.6f));
 }
 
 // A frame around the opening and posts between the panes.
@@ -51,9 +52,9 @@ void add_door_handle(const Site& site, const Opening& o)
 {
     const float middle = 0.5f * (o.low.x + o.high.x);
     for (const float side : {-1.0f, 1.0f}) {
-        const glm::vec3 points[] = {{middle + side * 0.045f, 1.02f, front - 0.005f},
-                                    {middle + side * 0.045f, 1.02f, front + 0.055f},
-                                    {middle + side * 0.17f, 1.02f, front + 0.055f}};
+        const glm::vec3 points[] = {{middle + side * 0.045f, 1.02f, frame_front - 0.005f},
+                                    {middle + side * 0.045f, 1.02f, frame_front + 0.055f},
+                                    {middle + side * 0.17f, 1.02f, frame_front + 0.055f}};
         site.tube(Stuff::steel, {rounded_path(points, 0.02f, 6), {0.009f}, 12});
     }
 }
@@ -64,7 +65,7 @@ void add_windows(const Site& room)
 {
     const Site east_wall = room.at({east, 0.0f, 0.0f}, -90.0f);
     add_frame(east_wall, plan::window, 0.055f);
-    BoxShape sill{{plan::window.low.x - 0.04f, plan::window.low.y - 0.01f, front}, {}, 0.008f, 2};
+    BoxShape sill{{plan::window.low.x - 0.04f, plan::window.low.y - 0.01f, frame_front}, {}, 0.008f, 2};
     sill.high = {plan::window.high.x + 0.04f, plan::window.low.y + 0.022f, 0.045f};
     east_wall.box(Stuff::lacquer, sill, white);
     const Site south_wall = room.at({0.0f, 0.0f, south}, 180.0f);

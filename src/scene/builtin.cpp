@@ -28,7 +28,7 @@ int scaled(int usual, const BuiltinOptions& options)
     return std::max(3, static_cast<int>(std::lround(usual * options.density)));
 }
 
-Material metallic_roughness(glm::vec3 base_color, float metallic, float perceptual_roughness)
+Material ggx_material(glm::vec3 base_color, float metallic, float perceptual_roughness)
 {
     Material material;
     material.base_color = glm::vec4(base_color, 1.0f);
@@ -47,7 +47,7 @@ struct ReportMaterial {
 Material report_material(const char* name, const ReportMaterial& report)
 {
     const double alpha = in_double::phong_alpha(static_cast<double>(report.exponent));
-    Material material = metallic_roughness(report.diffuse, 0.0f, static_cast<float>(std::sqrt(alpha)));
+    Material material = ggx_material(report.diffuse, 0.0f, static_cast<float>(std::sqrt(alpha)));
     material.name = name;
     material.phong = {report.diffuse, report.specular, report.exponent};
     return material;
@@ -69,7 +69,7 @@ glm::mat4 moved(float x, float y, float z)
 Scene make_sphere_scene(const BuiltinOptions& options)
 {
     constexpr float radius = 0.5f;
-    Material paint = metallic_roughness({0.75f, 0.08f, 0.06f}, 0.0f, 0.25f);
+    Material paint = ggx_material({0.75f, 0.08f, 0.06f}, 0.0f, 0.25f);
     paint.name = "paint";
     paint.phong = {glm::vec3(0.75f, 0.08f, 0.06f), glm::vec3(0.2f), 100.0f};
     Scene scene;
@@ -80,7 +80,7 @@ Scene make_sphere_scene(const BuiltinOptions& options)
 
 Scene make_teapot_scene(const BuiltinOptions& options)
 {
-    Material glaze = metallic_roughness(glm::vec3(0.8f), 0.0f, 0.2f);
+    Material glaze = ggx_material(glm::vec3(0.8f), 0.0f, 0.2f);
     glaze.name = "glaze";
     glaze.phong = {glm::vec3(0.8f), glm::vec3(0.2f), 100.0f};
     glaze.double_sided = true; // the spout is open
@@ -91,7 +91,7 @@ Scene make_teapot_scene(const BuiltinOptions& options)
 
 Material grey_ground()
 {
-    Material ground = metallic_roughness(glm::vec3(0.5f), 0.0f, 0.3f);
+    Material ground = ggx_material(glm::vec3(0.5f), 0.0f, 0.3f);
     ground.name = "ground";
     ground.double_sided = true;
     return ground;
@@ -195,7 +195,7 @@ Scene make_sphere_grid(const SphereGrid& grid)
         for (int column = 0; column < grid.columns; ++column) {
             const int material = static_cast<int>(scene.materials.size());
             scene.materials.push_back(
-                metallic_roughness(grid.base_color, share(row, grid.rows), share(column, grid.columns)));
+                ggx_material(grid.base_color, share(row, grid.rows), share(column, grid.columns)));
             scene.materials.back().name =
                 text("metallic ", share(row, grid.rows), ", roughness ", share(column, grid.columns));
             scene.instances.push_back(

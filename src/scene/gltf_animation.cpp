@@ -1,6 +1,7 @@
 #include "scene/gltf_animation.h"
 
 #include "scene/gltf_accessor.h"
+#include "scene/index.h"
 
 #include <glm/geometric.hpp>
 
@@ -20,11 +21,6 @@ constexpr std::uint64_t numbers_per_byte = 4;
 
 // Thirty years; seconds beyond have no fractions left in a float.
 constexpr float farthest_time = 1e9f;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 std::optional<Animated> property_of(const std::string& path)
 {

@@ -1,6 +1,7 @@
 #include "scene/gltf_deform.h"
 
 #include "scene/gltf_accessor.h"
+#include "scene/index.h"
 
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
@@ -14,11 +15,6 @@ namespace lambent::scene {
 namespace {
 
 constexpr int most_joint_sets = 4;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 AccessorUse use_of(const PrimitivePart& part, int accessor, const std::string& attribute)
 {

@@ -1,5 +1,7 @@
 #include "scene/gltf_light.h"
 
+#include "scene/index.h"
+
 #include <glm/geometric.hpp>
 
 #include <cmath>
@@ -10,11 +12,6 @@ namespace lambent::scene {
 namespace {
 
 constexpr double half_turn = 3.14159265358979323846;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 // Rotation and translation of a transform: the Z axis keeps its direction, Y stays in the plane of Z and Y.
 std::optional<glm::mat4> rigid(const glm::dmat4& transform)

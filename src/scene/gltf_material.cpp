@@ -1,5 +1,7 @@
 #include "scene/gltf_material.h"
 
+#include "scene/index.h"
+
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -11,11 +13,6 @@
 
 namespace lambent::scene {
 namespace {
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 // The file's texture settings, read while images that are used get their numbers.
 class MaterialReader {

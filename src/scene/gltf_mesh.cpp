@@ -4,6 +4,7 @@
 #include "scene/gltf_instancing.h"
 #include "scene/gltf_mesh_table.h"
 #include "scene/gltf_primitive.h"
+#include "scene/index.h"
 #include "scene/parallel.h"
 #include "scene/transform.h"
 
@@ -25,11 +26,6 @@ constexpr std::size_t most_instances = 1'000'000;
 constexpr std::size_t free_node_instances = 100'000;
 constexpr std::uint64_t bytes_per_node_instance = 4;
 constexpr std::size_t most_node_instances = 4'000'000;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 // What is read, and who shows it.
 struct Plan {

@@ -1,5 +1,7 @@
 #include "scene/gltf_nodes.h"
 
+#include "scene/index.h"
+
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/ext/quaternion_double.hpp>
 #include <glm/geometric.hpp>
@@ -13,11 +15,6 @@ namespace lambent::scene {
 namespace {
 
 constexpr int no_parent = -1;
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 std::vector<int> find_parents(const Document& document)
 {

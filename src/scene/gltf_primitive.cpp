@@ -3,6 +3,7 @@
 #include "scene/gltf_accessor.h"
 #include "scene/gltf_deform.h"
 #include "scene/gltf_topology.h"
+#include "scene/index.h"
 #include "scene/normals.h"
 #include "scene/tangents.h"
 
@@ -16,11 +17,6 @@
 
 namespace lambent::scene {
 namespace {
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 const tinygltf::Primitive& find_primitive(const Document& document, int mesh, int primitive)
 {

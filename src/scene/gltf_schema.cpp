@@ -117,13 +117,13 @@ constexpr Shape mesh{mesh_properties};
 constexpr Property sparse_indices_properties[] = {one("bufferView", Kind::index, required),
                                                   one("byteOffset", Kind::index),
                                                   one("componentType", Kind::index, required)};
-constexpr Shape sparse_indices{sparse_indices_properties};
+constexpr Shape sparse_indices_shape{sparse_indices_properties};
 constexpr Property sparse_values_properties[] = {one("bufferView", Kind::index, required),
                                                  one("byteOffset", Kind::index)};
-constexpr Shape sparse_values{sparse_values_properties};
+constexpr Shape sparse_values_shape{sparse_values_properties};
 constexpr Property sparse_properties[] = {one("count", Kind::index, required),
-                                          nested("indices", sparse_indices, required),
-                                          nested("values", sparse_values, required)};
+                                          nested("indices", sparse_indices_shape, required),
+                                          nested("values", sparse_values_shape, required)};
 constexpr Shape sparse{sparse_properties};
 constexpr Property accessor_properties[] = {one("bufferView", Kind::index),
                                             one("byteOffset", Kind::size),
@@ -163,14 +163,14 @@ constexpr Property metallic_roughness_properties[] = {
     vector("baseColorFactor", 4), nested("baseColorTexture", texture_info),
     one("metallicFactor", Kind::number), one("roughnessFactor", Kind::number),
     nested("metallicRoughnessTexture", texture_info)};
-constexpr Shape metallic_roughness{metallic_roughness_properties};
+constexpr Shape metallic_roughness_shape{metallic_roughness_properties};
 constexpr Property strength_properties[] = {one("emissiveStrength", Kind::number)};
 constexpr Shape strength{strength_properties};
 constexpr Property material_extension_properties[] = {nested("KHR_materials_emissive_strength", strength),
                                                       nested("KHR_materials_unlit", nothing)};
 constexpr Shape material_extensions{material_extension_properties};
 constexpr Property material_properties[] = {one("name", Kind::word),
-                                            nested("pbrMetallicRoughness", metallic_roughness),
+                                            nested("pbrMetallicRoughness", metallic_roughness_shape),
                                             nested("normalTexture", texture_info),
                                             nested("occlusionTexture", texture_info),
                                             nested("emissiveTexture", texture_info),

@@ -1,5 +1,6 @@
 #include "scene/scene.h"
 
+#include "scene/index.h"
 #include "scene/transform.h"
 
 #include <glm/common.hpp>
@@ -15,11 +16,6 @@
 
 namespace lambent::scene {
 namespace {
-
-std::size_t at(int index)
-{
-    return static_cast<std::size_t>(index);
-}
 
 Bounds merge(const Bounds& a, const Bounds& b)
 {

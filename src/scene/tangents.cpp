@@ -130,7 +130,7 @@ glm::vec3 unit_or_zero(glm::vec3 v)
 }
 
 // The triangle's angle at a corner, its edges projected onto the plane of the corner's normal.
-float corner_angle(const Mesh& mesh, glm::uvec3 triangle, int corner)
+float projected_angle(const Mesh& mesh, glm::uvec3 triangle, int corner)
 {
     const glm::vec3 normal = mesh.normals[triangle[corner]];
     const glm::vec3 here = mesh.positions[triangle[corner]];
@@ -150,7 +150,7 @@ CornerTangents corner_tangents(const Mesh& mesh, const FaceFrame& face, glm::uve
     for (int corner = 0; corner < 3; ++corner)
         tangents[static_cast<std::size_t>(corner)] =
             unit_or_zero(project(face.along_u, mesh.normals[triangle[corner]])) *
-            corner_angle(mesh, triangle, corner);
+            projected_angle(mesh, triangle, corner);
     return tangents;
 }
 

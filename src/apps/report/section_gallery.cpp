@@ -6,7 +6,7 @@ namespace {
 // Those of the documentation: larger than the figures, and JPEG.
 const char* const size = " --size 960x540";
 
-Shot teapot()
+Shot porcelain()
 {
     return {"teapot.jpg", std::string("teapot --env sky --camera 20,12 --fov 30") + size,
             "Porcelain, clear sky", "A white teapot under a clear sky"};
@@ -45,7 +45,7 @@ Section gallery(Desk& desk)
          "it apart."},
         {}};
     Gallery pictures;
-    for (const Shot& shot : {report(), teapot(), kitchen(), phong()})
+    for (const Shot& shot : {report(), porcelain(), kitchen(), phong()})
         pictures.pictures.push_back(desk.workshop.picture(shot));
     section.figures.push_back({"gallery-pictures", "Four pictures",
                                "Each with the command that draws it, as all figures of this page.",

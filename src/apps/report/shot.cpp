@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::array<std::string_view, 4> display_options = {"--exposure", "--contrast", "--tone",
                                                              "--dither"};
-constexpr std::array<std::string_view, 5> approximations = {"--samples", "--ibl", "--mip-level",
-                                                            "--ambient-brightness", "--aa"};
+constexpr std::array<std::string_view, 5> approximation_options = {"--samples", "--ibl", "--mip-level",
+                                                                   "--ambient-brightness", "--aa"};
 
 bool is_plain(char c)
 {
@@ -84,7 +84,7 @@ Words without_display(const Words& words)
 
 Words without_approximations(const Words& words)
 {
-    return without(words, approximations);
+    return without(words, approximation_options);
 }
 
 std::string rounded(double value, int digits)

@@ -199,7 +199,7 @@ private:
     std::shared_ptr<House> house_;
     Seat<int> connection_;
     Seat<std::atomic<int>> seat_;
-    websocket::stream<beast::tcp_stream> socket_;
+    websocket::stream<beast::tcp_stream, false> socket_;
     std::shared_ptr<WebPresenter> presenter_;
     std::shared_ptr<viewer::Session> session_;
     UpgradeRequest request_;
