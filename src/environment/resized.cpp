@@ -12,7 +12,7 @@ namespace lambent::environment {
 namespace {
 
 // What of each row or column, from `first` on, is in one of the new ones: shares that add up to 1.
-struct Shares {
+struct PixelShares {
     int first = 0;
     std::vector<double> of;
 
@@ -33,12 +33,12 @@ double rising(double start, double end, double top, double bottom)
 }
 
 // Of a row of texels from polar angle `top` to `bottom`, given where the rows read are.
-Shares row_shares(const std::vector<double>& angles, double top, double bottom)
+PixelShares row_shares(const std::vector<double>& angles, double top, double bottom)
 {
     const int last = static_cast<int>(angles.size()) - 1;
     const auto above = std::upper_bound(angles.begin(), angles.end(), top);
     const double whole = std::cos(top) - std::cos(bottom);
-    Shares shares;
+    PixelShares shares;
     for (int next = static_cast<int>(above - angles.begin()); next <= last + 1; ++next) {
         const double start = next > 0 ? angles[static_cast<std::size_t>(next) - 1] : 0.0;
         const double end = next <= last ? angles[static_cast<std::size_t>(next)] : std::numbers::pi;
@@ -57,9 +57,9 @@ Shares row_shares(const std::vector<double>& angles, double top, double bottom)
 
 // Of a column from `left` to `right`, in columns read, whose middles are at 1/2, 3/2, ...; -1 and the number of columns
 // are possible: they go round.
-Shares column_shares(double left, double right)
+PixelShares column_shares(double left, double right)
 {
-    Shares shares;
+    PixelShares shares;
     for (int start = static_cast<int>(std::floor(left - 0.5)); start + 0.5 < right; ++start) {
         const double from = std::max(left - 0.5 - start, 0.0), to = std::min(right - 0.5 - start, 1.0);
         if (from >= to)
@@ -71,9 +71,9 @@ Shares column_shares(double left, double right)
     return shares;
 }
 
-std::vector<Shares> all_column_shares(int from, int to)
+std::vector<PixelShares> all_column_shares(int from, int to)
 {
-    std::vector<Shares> all;
+    std::vector<PixelShares> all;
     const double step = static_cast<double>(from) / to;
     for (int x = 0; x < to; ++x)
         all.push_back(column_shares(x * step, (x + 1) * step));
@@ -81,7 +81,7 @@ std::vector<Shares> all_column_shares(int from, int to)
 }
 
 // One row of the mean over some rows, RGB.
-std::vector<double> mixed_row(const Panorama& from, const Shares& shares)
+std::vector<double> mixed_row(const Panorama& from, const PixelShares& shares)
 {
     std::vector<double> row(3 * static_cast<std::size_t>(from.width));
     for (std::size_t i = 0; i < shares.of.size(); ++i)
@@ -102,12 +102,12 @@ Panorama resized(const Panorama& from, int width, int height)
     image::RadianceImage image{width, height, 3, {}};
     image.values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
     const std::vector<double> angles = image::row_angles(from.height);
-    const std::vector<Shares> columns = all_column_shares(from.width, width);
+    const std::vector<PixelShares> columns = all_column_shares(from.width, width);
     const double step = std::numbers::pi / height;
     tbb::parallel_for(0, height, [&](int y) {
         const std::vector<double> row = mixed_row(from, row_shares(angles, y * step, (y + 1) * step));
         for (int x = 0; x < width; ++x) {
-            const Shares& shares = columns[static_cast<std::size_t>(x)];
+            const PixelShares& shares = columns[static_cast<std::size_t>(x)];
             double sum[3] = {};
             for (std::size_t i = 0; i < shares.of.size(); ++i) {
                 const int column = (shares.first + static_cast<int>(i) + from.width) % from.width;

@@ -20,19 +20,19 @@ constexpr int points_across = 5;
 using Direction = std::array<double, 3>;
 
 // Pixels of a map, from the middle of the first.
-struct Place {
+struct MapPlace {
     double x, y;
 };
 
 // Longitude 0 is +Z, in the middle, and longitudes grow to the left, where +X is.
-Place place_in_latitudes(const RadianceImage& map, const Direction& d)
+MapPlace place_in_latitudes(const RadianceImage& map, const Direction& d)
 {
     const double longitude = std::atan2(d[0], d[2]), polar = std::acos(std::clamp(d[1], -1.0, 1.0));
     return {(0.5 - longitude / (2.0 * pi)) * (map.width - 1), polar / pi * (map.height - 1)};
 }
 
 // Faces one below the other, each as it is seen from outside.
-Place place_in_cube(const RadianceImage& map, const Direction& d)
+MapPlace place_in_cube(const RadianceImage& map, const Direction& d)
 {
     std::size_t axis = 0;
     for (std::size_t i = 1; i < 3; ++i)
@@ -100,7 +100,7 @@ private:
     }
 
     // Bilinear, times a factor.
-    void add(const Place& at, float factor, float* rgb) const
+    void add(const MapPlace& at, float factor, float* rgb) const
     {
         const int left = std::clamp(static_cast<int>(at.x), 0, map_.width - 1);
         const int top = std::clamp(static_cast<int>(at.y), 0, map_.height - 1);

@@ -7,8 +7,6 @@
 namespace lambent::image {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 // How far above `angle` the row before is, so that the mean of the cosine between the two is `edge`: that of the angle where
 // their texels meet. Then the rows above that edge give as much light as their texels, and so does each alone.
 double step_up(double angle, double edge, double usual)
@@ -25,13 +23,13 @@ double step_up(double angle, double edge, double usual)
 
 std::vector<double> row_angles(int height)
 {
-    const double row = pi / height;
+    const double row = std::numbers::pi / height;
     const int middle = height / 2; // of an even number the one below the horizon
     std::vector<double> angles(static_cast<std::size_t>(height));
-    double angle = height % 2 == 1 ? 0.5 * pi : 0.5 * pi + 0.5 * row;
+    double angle = height % 2 == 1 ? 0.5 * std::numbers::pi : 0.5 * std::numbers::pi + 0.5 * row;
     for (int y = middle; y >= 0; --y) {
         angles[static_cast<std::size_t>(y)] = angle;
-        angles[static_cast<std::size_t>(height - 1 - y)] = pi - angle;
+        angles[static_cast<std::size_t>(height - 1 - y)] = std::numbers::pi - angle;
         if (y > 0)
             angle -= step_up(angle, std::cos(row * y), row);
     }

@@ -8,7 +8,7 @@ namespace lambent::view {
 namespace {
 
 // A little air around the scene.
-constexpr float margin = 1.1f;
+constexpr float frame_margin = 1.1f;
 
 // The nearest distance, along `camera.back` from the box's centre, at which all its corners are in the picture.
 float fitting_distance(const Camera& camera, const glm::vec3& half, float aspect)
@@ -20,7 +20,7 @@ float fitting_distance(const Camera& camera, const glm::vec3& half, float aspect
                           corner & 4 ? half.z : -half.z);
         const float across = std::fabs(glm::dot(p, camera.right)) / right;
         const float along = std::fabs(glm::dot(p, camera.up)) / up;
-        distance = std::max(distance, margin * std::max(across, along) + glm::dot(p, camera.back));
+        distance = std::max(distance, frame_margin * std::max(across, along) + glm::dot(p, camera.back));
     }
     return distance;
 }

@@ -13,7 +13,7 @@ namespace lambent::view {
 namespace {
 
 // Pixels from the middle of a shape to its sides, and beyond the picture's border that are still drawn.
-constexpr double half_width = 0.5 + 1.0 / 256.0, margin = 2.0;
+constexpr double half_width = 0.5 + 1.0 / 256.0, clip_margin = 2.0;
 
 double largest(const glm::dvec3& v)
 {
@@ -54,8 +54,8 @@ ThinShapes::ThinShapes(const RayMap& rays, int width, int height)
     facing_ = glm::dot(across, direction) < 0.0 ? across : -across;
     const glm::dvec4 one(0.0, 0.0, 0.0, 1.0), t(1.0, 0.0, 0.0, 0.0), x(0.0, 1.0, 0.0, 0.0),
         y(0.0, 0.0, 1.0, 0.0), w = perspective_ ? t : one;
-    sides_ = {perspective_ ? t - nearest_of(origin_, dx, dy) * one : t, x + margin * w,
-              (width + margin) * w - x, y + margin * w, (height + margin) * w - y};
+    sides_ = {perspective_ ? t - nearest_of(origin_, dx, dy) * one : t, x + clip_margin * w,
+              (width + clip_margin) * w - x, y + clip_margin * w, (height + clip_margin) * w - y};
 }
 
 // Whether any of it is seen. [Liang and Barsky 1984, "A new concept and method for line clipping"]
