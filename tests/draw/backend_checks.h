@@ -19,6 +19,9 @@ void expect_samplers(const Draw& draw);
 /// Each texture of a material does what its slot says, with either set of coordinates, its factor and colours of vertices.
 void expect_slots(const Draw& draw);
 
+/// Stretching an instance turns its normals the other way.
+void expect_stretched_normals(const Draw& draw);
+
 /// A mirrored instance shows the mirror image of its normal map.
 void expect_mirrored_normal_maps(const Draw& draw);
 
@@ -31,11 +34,17 @@ void expect_panes_in_order(const Draw& draw);
 /// A step or a bend inside a surface is an edge from the size on that is said, and not below it.
 void expect_edges(const Draw& draw);
 
+/// Looks stand for even parts of a pixel; a surface is lit in the middle of what is seen of it.
+void expect_looks(const Draw& draw);
+
 /// Highlights smaller than a pixel that is looked at many times keep their light.
 void expect_small_highlights(const Draw& draw);
 
 /// Spots fade between their cones, lamps towards their range.
 void expect_lamps(const Draw& draw);
+
+/// Large pixels show the mean of what is behind them, not a point of it.
+void expect_backgrounds_to_average(const Draw& draw);
 
 /// A blurred background keeps the light of a sun, whatever the blur.
 void expect_blurs_to_keep_light(const Draw& draw);

@@ -15,6 +15,18 @@ TEST(OnTheProcessor, SlotsDoWhatTheySay)
 {
     expect_slots(draw);
 }
+TEST(OnTheProcessor, StretchedNormals)
+{
+    expect_stretched_normals(draw);
+}
+TEST(OnTheProcessor, LooksAreSpreadEvenly)
+{
+    expect_looks(draw);
+}
+TEST(OnTheProcessor, BackgroundsAverage)
+{
+    expect_backgrounds_to_average(draw);
+}
 TEST(OnTheProcessor, MirroredNormalMaps)
 {
     expect_mirrored_normal_maps(draw);

@@ -12,9 +12,10 @@ namespace {
 
 constexpr int size = 12; // pixels, a metre each
 
-// A part of a mesh between x = left and right, at heights z there; black or white, seen as it is.
+// A part of a mesh between x = left and right, at heights z there; grey, or a slope of grey, seen as it is.
 struct Strip {
-    float left, left_z, right, right_z, grey;
+    float left, left_z, right, right_z, left_grey, right_grey;
+    bool turned = false; // shows its back
 };
 
 void add_strip(const Strip& s, scene::Mesh& mesh)
@@ -27,9 +28,11 @@ void add_strip(const Strip& s, scene::Mesh& mesh)
                                                  {s.left, half, s.left_z}});
     const glm::vec3 normal = glm::normalize(glm::vec3(s.left_z - s.right_z, 0.0f, s.right - s.left));
     mesh.normals.insert(mesh.normals.end(), 4, normal);
-    mesh.colors.insert(mesh.colors.end(), 4, glm::vec4(glm::vec3(s.grey), 1.0f));
-    mesh.triangles.push_back({first, first + 1, first + 2});
-    mesh.triangles.push_back({first, first + 2, first + 3});
+    for (const float grey : {s.left_grey, s.right_grey, s.right_grey, s.left_grey})
+        mesh.colors.emplace_back(grey, grey, grey, 1.0f);
+    const unsigned second = s.turned ? 3 : 1, last = s.turned ? 1 : 3;
+    mesh.triangles.push_back({first, first + second, first + 2});
+    mesh.triangles.push_back({first, first + 2, first + last});
 }
 
 // The pixel in whose first quarter the white strip ends and the black one begins, both of one mesh.
@@ -41,6 +44,7 @@ float seen_where_they_meet(const Draw& draw, const Strip& white, const Strip& bl
     add_strip(black, mesh);
     scene::Material material;
     material.unlit = true;
+    material.double_sided = true;
     add(scene, mesh, material);
     Settings settings = small_settings(size, size, front_camera(size));
     settings.edge_samples = 4;
@@ -57,9 +61,9 @@ void expect_edges(const Draw& draw)
     const auto over_a_step = [&](double degrees, double off) {
         const double angle = degrees / 180.0 * std::numbers::pi, slope = std::tan(angle);
         const double step = 0.75 * slope - off / std::cos(angle);
-        return seen_where_they_meet(
-            draw, {-far, 0.0f, meet, 0.0f, 1.0f},
-            {meet, static_cast<float>(step), far, static_cast<float>(step + slope * (size - 0.25)), 0.0f});
+        return seen_where_they_meet(draw, {-far, 0.0f, meet, 0.0f, 1.0f, 1.0f},
+                                    {meet, static_cast<float>(step), far,
+                                     static_cast<float>(step + slope * (size - 0.25)), 0.0f, 0.0f});
     };
     for (const double degrees : {-25.0, -17.0, 17.0, 25.0})
         for (const double off : {-6.0, -1.15, -0.85, -0.1, 0.1, 0.85, 1.15, 6.0})
@@ -70,10 +74,42 @@ void expect_edges(const Draw& draw)
     // A ridge that bends by so many degrees: an edge from 30 on.
     for (const double degrees : {20.0, 28.0, 32.0, 60.0}) {
         const auto down = static_cast<float>(std::tan(0.5 * degrees / 180.0 * std::numbers::pi));
-        const float seen = seen_where_they_meet(draw, {-far, -down * (far + meet), meet, 0.0f, 1.0f},
-                                                {meet, 0.0f, far, -down * (far - meet), 0.0f});
+        const float seen = seen_where_they_meet(draw, {-far, -down * (far + meet), meet, 0.0f, 1.0f, 1.0f},
+                                                {meet, 0.0f, far, -down * (far - meet), 0.0f, 0.0f});
         EXPECT_NEAR(seen, degrees < 30.0 ? 0.0f : 0.25f, 1e-6f) << degrees << " degrees";
     }
+}
+
+// Four looks, in the middles of four columns and of four rows. What lies behind an edge at x = 0.25 is seen at 3/8, 5/8 and
+// 7/8 of the pixel, on the mean at 5/8; of these looks and the one through the middle, that one is the nearest.
+void expect_looks(const Draw& draw)
+{
+    constexpr float far = size;
+    for (const float part : {0.06f, 0.3f, 0.45f, 0.55f, 0.7f, 0.95f})
+        for (const bool upright : {false, true}) {
+            scene::Scene scene;
+            scene::Mesh mesh = facing_square(far, 0.0f);
+            for (glm::vec3& position : mesh.positions) {
+                // Ends at part of the pixel from its left, or from its top.
+                float& end = upright ? position.x : position.y;
+                end = upright ? std::min(end, part) : std::max(end, -part);
+            }
+            add(scene, mesh, glowing(glm::vec3(1.0f)));
+            Settings settings = small_settings(size, size, front_camera(size));
+            settings.edge_samples = 4;
+            const glm::vec4 seen = pixel(draw(scene, nullptr, settings), size / 2, size / 2);
+            EXPECT_NEAR(seen.a, std::round(4.0f * part) / 4.0f, 1e-6f) << part << ' ' << upright;
+        }
+    const auto grey = [](float x) { return 0.3f + 0.02f * x; };
+    const float seen =
+        seen_where_they_meet(draw, {-far, 0.0f, 0.25f, 0.0f, 0.0f, 0.0f},
+                             {0.25f, 6.0f, far, 6.0f + 0.4f * (far - 0.25f), grey(0.25f), grey(far)});
+    EXPECT_NEAR(seen, 0.75f * grey(0.5f), 1e-5f);
+    // A fold seen from its front and from its back, whose sides bend by a few degrees.
+    const float steep = std::tan(86.0f / 180.0f * static_cast<float>(std::numbers::pi));
+    const float folded = seen_where_they_meet(draw, {-far, -steep * (far + 0.25f), 0.25f, 0.0f, 1.0f, 1.0f},
+                                              {0.25f, 0.0f, far, -steep * (far - 0.25f), 0.0f, 0.0f, true});
+    EXPECT_NEAR(folded, 0.25f, 1e-6f);
 }
 
 // A mirroring sphere whose normals turn by more than six degrees from pixel to pixel is looked at 16 times where many samples
@@ -107,6 +143,14 @@ void expect_small_highlights(const Draw& draw)
     const double wanted = sum / (places * places);
     const auto seen = static_cast<double>(pixel(draw(scene, nullptr, settings), pixels / 2, pixels / 2).r);
     EXPECT_NEAR(seen / wanted, 1.0, 0.08);
+    // Behind a shell of glass that bends as much, every look goes on as it is.
+    scene::Material glass;
+    glass.unlit = true;
+    glass.base_color = {0.0f, 0.0f, 0.0f, 0.5f};
+    glass.alpha_mode = scene::AlphaMode::blend;
+    add(scene, scene::make_sphere(0.53f, 512, 256), glass);
+    const auto behind = static_cast<double>(pixel(draw(scene, nullptr, settings), pixels / 2, pixels / 2).r);
+    EXPECT_NEAR(behind / (0.5 * wanted), 1.0, 0.08);
 }
 
 } // namespace lambent::draw::testing

@@ -53,6 +53,46 @@ void expect_lamps(const Draw& draw)
     }
 }
 
+// Stripes of three degrees in pixels of eleven: a point is anything from 0 to 2, the mean of a pixel nearly 1. As a Gaussian of
+// the pixel's variance takes exp(-k^2 s^2 / 2) of a wave, here exp(-6), and the level that is read for it at most that of
+// its finer part. Pixels finer than the panorama's texels show those.
+void expect_backgrounds_to_average(const Draw& draw)
+{
+    const environment::Environment light = environment_of(512, [](dvec3 d) {
+        return glm::vec3(static_cast<float>(1.0 + std::sin(60.0 * std::atan2(d.z, d.x))));
+    });
+    scene::Scene nothing;
+    nothing.materials.emplace_back();
+    Settings settings = small_settings(16, 3, Camera{});
+    settings.camera.vertical_fov = 0.6f;
+    settings.background.kind = Background::Kind::environment;
+    const Frame coarse = draw(nothing, &light, settings);
+    for (int x = 4; x < 12; ++x)
+        EXPECT_NEAR(pixel(coarse, x, 1).g, 1.0f, 0.15f) << x;
+    settings.camera.vertical_fov = 0.02f;
+    const Frame fine = draw(nothing, &light, settings);
+    float low = 2.0f, high = 0.0f;
+    for (int x = 0; x < 16; ++x) {
+        low = std::min(low, pixel(fine, x, 1).g);
+        high = std::max(high, pixel(fine, x, 1).g);
+    }
+    EXPECT_LT(low, 0.2f);
+    EXPECT_GT(high, 1.8f);
+    // A quarter of a row from the pole, which is half a row from the middles of the first row: it goes on across the pole.
+    const environment::Environment halves =
+        environment_of(512, [](dvec3 d) { return glm::vec3(d.x > 0.0 ? 2.0f : 0.0f); });
+    settings.width = 3;
+    settings.camera.vertical_fov = static_cast<float>(2.0 * std::atan(1.5 * std::tan(0.25 * pi / 256)));
+    for (const float side : {1.0f, -1.0f}) { // straight up and straight down
+        settings.camera.back = {0.0f, -side, 0.0f};
+        settings.camera.right = {1.0f, 0.0f, 0.0f};
+        settings.camera.up = glm::cross(settings.camera.back, settings.camera.right);
+        const Frame pole = draw(nothing, &halves, settings);
+        EXPECT_NEAR(pixel(pole, 2, 1).g, 0.75f * 2.0f, 0.01f);
+        EXPECT_NEAR(pixel(pole, 0, 1).g, 0.25f * 2.0f, 0.01f);
+    }
+}
+
 // A small sun in the dark, blurred: what a camera that looks at it sees, summed over solid angle, is its light, as long as
 // the blur fits into the picture. Blurs by one level alone, by two, and by levels with and without the sun in them.
 void expect_blurs_to_keep_light(const Draw& draw)

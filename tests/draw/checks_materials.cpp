@@ -102,13 +102,24 @@ scene::Scene all_slots()
     return scene;
 }
 
-} // namespace
+// Light of a code from 0 to 1. [IEC 61966-2-1 for sRGB]
+float light_of(double code, TexelTransfer transfer)
+{
+    if (transfer == TexelTransfer::none)
+        return static_cast<float>(code);
+    return static_cast<float>(transfer == TexelTransfer::srgb ? std::pow((code + 0.055) / 1.055, 2.4)
+                                                              : std::pow(code, 2.2));
+}
 
-void expect_slots(const Draw& draw)
+void expect_slots_by(const Draw& draw, TexelTransfer transfer)
 {
     const scene::Scene scene = all_slots();
-    const Frame frame = draw(scene, nullptr, layered(5, 5));
-    const vec3 base(0.5f * 0.9f * 0.2f, 1.0f * 0.8f * 0.4f, 0.25f * 0.7f * 0.8f); // colour, factor, texel
+    Settings settings = layered(5, 5);
+    settings.texel_transfer = transfer;
+    const Frame frame = draw(scene, nullptr, settings);
+    const auto light = [&](double code) { return light_of(code, transfer); };
+    const vec3 base(0.5f * 0.9f * light(0.2), 1.0f * 0.8f * light(0.4),
+                    0.25f * 0.7f * light(0.8)); // colour, factor, texel
     expect_layer(frame, "base_color", base);
     const float metalness = 0.75f * 0.8f;
     expect_layer(frame, "metalness", vec3(metalness));
@@ -116,9 +127,38 @@ void expect_slots(const Draw& draw)
     expect_layer(frame, "alpha", vec3(0.04f));
     expect_layer(frame, "specular", (1.0f - metalness) * vec3(0.04f) + metalness * base);
     expect_layer(frame, "occlusion", vec3(1.0f + 0.5f * (0.4f - 1.0f)));
-    expect_layer(frame, "light_emitted", {3.0f * 0.8f, 2.0f * 0.6f, 1.0f * 0.2f});
+    expect_layer(frame, "light_emitted", {3.0f * light(0.8), 2.0f * light(0.6), 1.0f * light(0.2)});
     // Codes 153, 204, 255 are 0.2, 0.6, 1; the scale is for x and y alone.
     expect_layer(frame, "normal", glm::normalize(vec3(2.0f * 0.2f, 2.0f * 0.6f, 1.0f)));
+}
+
+} // namespace
+
+void expect_slots(const Draw& draw)
+{
+    // Transfers are of colours alone.
+    for (const TexelTransfer transfer :
+         {TexelTransfer::none, TexelTransfer::srgb, TexelTransfer::power_2_2}) {
+        SCOPED_TRACE(static_cast<int>(transfer));
+        expect_slots_by(draw, transfer);
+    }
+}
+
+// Of a plane that leans in its mesh, normals are those of the stretched plane, whatever the mesh's own sides say.
+void expect_stretched_normals(const Draw& draw)
+{
+    for (const vec3& stretch : {vec3(1, 1, 1), vec3(1, 1, 3), vec3(2, 0.5f, 1), vec3(-2, 1, 0.5f)}) {
+        scene::Scene scene;
+        scene::Mesh mesh = facing_square(4.0f, 0.0f);
+        for (vec3& position : mesh.positions)
+            position.z = -0.75f * position.y + 0.5f * position.x; // z = x / 2 - 3 y / 4
+        mesh.normals.assign(4, glm::normalize(vec3(-0.5f, 0.75f, 1.0f)));
+        add(scene, mesh, scene::Material{}, glm::scale(glm::mat4(1.0f), stretch));
+        SCOPED_TRACE(::testing::Message() << stretch.x << ' ' << stretch.y << ' ' << stretch.z);
+        // z / sz = x / (2 sx) - 3 y / (4 sy)
+        const vec3 wanted(-0.5f * stretch.z / stretch.x, 0.75f * stretch.z / stretch.y, 1.0f);
+        expect_layer(draw(scene, nullptr, layered(5, 5)), "normal", glm::normalize(wanted));
+    }
 }
 
 void expect_mirrored_normal_maps(const Draw& draw)
@@ -206,7 +246,7 @@ void expect_panes_in_order(const Draw& draw)
         material.base_color = pane;
         material.alpha_mode = scene::AlphaMode::blend;
         add(scene, facing_square(4.0f, 0.0f), material, glm::translate(glm::mat4(1.0f), {0.0f, 0.0f, depth}));
-        depth -= 1.0f;
+        depth -= 0.01f; // as near to each other as a sheet to its coat
         wanted += left * pane.a * vec3(pane);
         left *= 1.0f - pane.a;
     }
@@ -221,6 +261,18 @@ void expect_panes_in_order(const Draw& draw)
     for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(seen[c], wanted[c] + left * sky, 2e-5f) << c;
     EXPECT_NEAR(seen.a, 1.0f - left, 1e-6f);
+    // Clear panes, more than are looked through: behind the last one that is, there is the background.
+    scene::Scene clear;
+    scene::Material nothing;
+    nothing.alpha_mode = scene::AlphaMode::blend;
+    nothing.base_color.a = 0.0f;
+    add(clear, facing_square(4.0f, 0.0f), nothing);
+    for (int i = 1; i < 300; ++i)
+        clear.instances.push_back(
+            {0, -1, glm::translate(glm::mat4(1.0f), {0.0f, 0.0f, -0.01f * static_cast<float>(i)})});
+    Settings small = small_settings(2, 2, front_camera(2.0f));
+    small.background = settings.background;
+    EXPECT_NEAR(pixel(draw(clear, nullptr, small), 1, 1).g, sky, 1e-3f);
     // A lamp behind all of them is a surface: it covers what was left.
     add(scene, facing_square(4.0f, 0.0f), glowing(vec3(sky)));
     const vec4 behind = pixel(draw(scene, nullptr, settings), 2, 2);

@@ -121,6 +121,20 @@ TEST(Textures, OddSizesAverageEvenly)
     EXPECT_EQ(last, 85); // a third
 }
 
+// Colours average as light, alpha as it is: half of white is code 188 in sRGB, half of alpha 128.
+TEST(Textures, MipMapsAverageAlphaAsItIs)
+{
+    const auto checker = [](int x, int y) { return glm::ivec4((x + y) % 2 ? 255 : 0); };
+    for (const auto& [transfer, code] :
+         {std::pair(TexelTransfer::srgb, 188), std::pair(TexelTransfer::power_2_2, 186),
+          std::pair(TexelTransfer::none, 128)}) {
+        const PackedTexture texture = pack_texture(codes(8, 8, checker), {}, transfer);
+        const std::size_t at = 4 * static_cast<std::size_t>(texture.start[1] + (4 + 2) + 1);
+        EXPECT_NEAR(texture.bytes[at], code, 1);
+        EXPECT_NEAR(texture.bytes[at + 3], 128, 1);
+    }
+}
+
 // A texel of the next level is the mean of what it covers: of an odd row, parts of three texels.
 TEST(Textures, OddSizesAverageByArea)
 {

@@ -44,6 +44,18 @@ TEST_F(OnADevice, SlotsDoWhatTheySay)
 {
     expect_slots(draw);
 }
+TEST_F(OnADevice, StretchedNormals)
+{
+    expect_stretched_normals(draw);
+}
+TEST_F(OnADevice, LooksAreSpreadEvenly)
+{
+    expect_looks(draw);
+}
+TEST_F(OnADevice, BackgroundsAverage)
+{
+    expect_backgrounds_to_average(draw);
+}
 TEST_F(OnADevice, MirroredNormalMaps)
 {
     expect_mirrored_normal_maps(draw);

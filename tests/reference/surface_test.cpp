@@ -130,6 +130,24 @@ TEST(ReferenceSurface, NormalsThatFaceAwayAreBentTowardsTheViewer)
     EXPECT_GT(glm::dot(surface.normal, surface.view), 0.0);
     EXPECT_NEAR(glm::length(surface.normal), 1.0, 1e-12);
     EXPECT_GT(surface.normal.x, 0.9);
+    // One that faces the viewer at a cosine of 0.05 is left alone.
+    const glm::vec3 grazing = glm::normalize(glm::vec3(0.6f, 0.8f, 0.05f));
+    scene.meshes[0].normals.assign(4, grazing);
+    expect_vector(meet(scene, 0.1f, 0.2f).surface.normal, grazing);
+}
+
+// One texel of a row of four each: roughness 0.2 by the first set, 0.6 by the second.
+TEST(ReferenceSurface, TexturesTakeTheirSetOfCoordinates)
+{
+    scene::Material material = metallic(0.5f, 0.0f, 1.0f);
+    material.metallic_roughness_texture.image = 0;
+    scene::Scene scene = scene_of(facing_square(1.0f, 0.0f), material);
+    scene.images.push_back({4, 1, 4, 8, {0, 0, 0, 255, 0, 51, 0, 255, 0, 153, 0, 255, 0, 255, 0, 255}});
+    for (const int set : {0, 1}) {
+        scene.meshes[0].texcoords[set].assign(4, {set == 0 ? 0.375f : 0.625f, 0.5f});
+        scene.materials[0].metallic_roughness_texture.texcoord = set;
+        EXPECT_NEAR(meet(scene, 0.1f, 0.2f).surface.gloss, set == 0 ? 0.04 : 0.36, 1e-6);
+    }
 }
 
 TEST(ReferenceSurface, ColoursAreFactorTimesTextureTimesVertices)

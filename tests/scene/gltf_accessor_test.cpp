@@ -106,6 +106,11 @@ TEST(GltfAccessor, EveryStrideIsTakenAsItIs)
     GltfBuilder cut = positions_apart(16, 0);
     cut.document["bufferViews"].back()["byteLength"] = 43;
     EXPECT_TRUE(contains(refusal(cut), "3 elements of 12 bytes do not fit in bufferView")) << refusal(cut);
+    // Of one element alone.
+    GltfBuilder one = positions_apart(16, 0);
+    one.document["accessors"][0]["count"] = 1;
+    one.document["bufferViews"].back()["byteLength"] = 11;
+    EXPECT_TRUE(contains(refusal(one), "1 elements of 12 bytes do not fit in bufferView")) << refusal(one);
     for (const std::size_t stride : {4, 8}) {
         GltfBuilder overlap = positions_apart(12, 0);
         overlap.document["bufferViews"].back()["byteStride"] = stride;
