@@ -1,6 +1,7 @@
 #include "scene/gltf_mesh.h"
 
 #include "scene/gltf_deform.h"
+#include "scene/gltf_losses.h"
 #include "scene/gltf_primitive.h"
 #include "scene/parallel.h"
 #include "scene/transform.h"
@@ -36,11 +37,16 @@ struct Plan {
     std::vector<PrimitiveResult> results;        // of each request, once read
     std::map<int, std::vector<glm::mat4>> skins; // requests point into these
     std::size_t not_triangles = 0;               // primitives left out
+    std::size_t odd_weights = 0;                 // primitives with another number of targets than weights
+    std::string first_loss;                      // the first fault that cost a primitive or mesh; empty: none
 };
 
 class Planner {
 public:
-    Planner(const Document& document, const NodeTree& nodes) : document_(document), nodes_(nodes) {}
+    Planner(const Document& document, const NodeTree& nodes, Losses& losses)
+        : document_(document), nodes_(nodes), losses_(losses)
+    {
+    }
 
     Plan make()
     {
@@ -59,8 +65,11 @@ private:
     void add_node(int node)
     {
         const tinygltf::Node& source = document_.model.nodes[at(node)];
-        if (at(source.mesh) >= document_.model.meshes.size())
-            document_.fail("node ", node, ": mesh ", source.mesh, " does not exist");
+        if (at(source.mesh) >= document_.model.meshes.size()) {
+            lose(text(document_.file, ": node ", node, ": mesh ", source.mesh, " does not exist"),
+                 "left out");
+            return;
+        }
         const auto pose = nodes_.pose.find(node);
         const NodePose* morphing = pose != nodes_.pose.end() && pose->second.morphs ? &pose->second : nullptr;
         // Deformed by the node: no other node sees the same shape.
@@ -90,10 +99,10 @@ private:
         const std::size_t begin = plan_.requests.size();
         for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
             request.primitive = static_cast<int>(i);
-            if (!is_drawable(document_, request.mesh, request.primitive)) {
-                ++plan_.not_triangles;
+            if (is_broken(mesh.primitives[i].extensions) || !draws(request))
                 continue;
-            }
+            const std::size_t weights = request.weights.size();
+            plan_.odd_weights += weights != 0 && weights != mesh.primitives[i].targets.size() ? 1 : 0;
             plan_.requests.push_back(request);
             plan_.materials.push_back(mesh.primitives[i].material);
             plan_.still.push_back(node.skin < 0 && morphing == nullptr);
@@ -101,16 +110,40 @@ private:
         return {begin, plan_.requests.size()};
     }
 
+    // Counts what is not of triangles.
+    bool draws(const PrimitiveRequest& request)
+    {
+        try {
+            if (is_drawable(document_, request.mesh, request.primitive))
+                return true;
+            ++plan_.not_triangles;
+        } catch (const Error& error) {
+            lose(error.what(), "the primitive is left out");
+        }
+        return false;
+    }
+
+    // No matrices: it cannot be read, and what it moves is drawn without it.
     const std::vector<glm::mat4>& skin(int index)
     {
-        const auto found = plan_.skins.find(index);
-        if (found != plan_.skins.end())
-            return found->second;
-        return plan_.skins.emplace(index, skin_matrices(document_, nodes_, index)).first->second;
+        const auto [found, is_new] = plan_.skins.try_emplace(index);
+        std::vector<glm::mat4>& matrices = found->second;
+        if (is_new)
+            losses_.spare("drawn without the skin",
+                          [&] { matrices = skin_matrices(document_, nodes_, index); });
+        return matrices;
+    }
+
+    void lose(const std::string& fault, const char* cost)
+    {
+        losses_.add(fault, cost);
+        if (plan_.first_loss.empty())
+            plan_.first_loss = fault;
     }
 
     const Document& document_;
     const NodeTree& nodes_;
+    Losses& losses_;
     Plan plan_;
     std::map<int, Range> shared_; // by mesh
 };
@@ -121,34 +154,43 @@ bool is_known(const ShapeStore& shapes, std::size_t request)
 }
 
 // Before anything large is allocated.
-void check_work(const Document& document, const Plan& plan, const ShapeStore& shapes)
+void check_work(const Document& document, const ShapeStore& shapes, Plan& plan)
 {
+    plan.results.resize(plan.requests.size());
     const std::uint64_t most = free_elements + elements_per_byte * document.buffer_bytes();
     std::uint64_t elements = 0;
     for (std::size_t i = 0; i < plan.requests.size(); ++i) {
         if (is_known(shapes, i))
             continue;
-        elements += check_request(document, plan.requests[i]);
+        try {
+            elements += check_request(document, plan.requests[i]);
+        } catch (const Error& error) {
+            plan.results[i] = lost_primitive(error);
+        }
         if (elements > most)
             document.fail("its meshes read more than ", most, " elements out of ", document.buffer_bytes(),
                           " bytes");
     }
 }
 
-void warn(const Document& document, const PrimitiveNotes& notes, std::size_t not_triangles,
-          Warnings& warnings)
+void warn(const Document& document, const PrimitiveNotes& notes, const Plan& plan, Warnings& warnings)
 {
     const auto warn_if = [&](std::size_t count, const char* what) {
         if (count != 0)
             warnings.push_back(text(document.file, ": ", count, what));
     };
-    warn_if(not_triangles, " primitives are points, lines or without positions: left out");
+    warn_if(plan.not_triangles, " primitives are points, lines or without positions: left out");
     warn_if(notes.left_over_indices, " indices after the last whole triangle left out");
     warn_if(notes.left_out_displacements, " morph targets of texture coordinates or colours left out");
+    warn_if(plan.odd_weights, " primitives have another number of morph targets than of weights for them");
+    warn_if(notes.restarts,
+            " indices are the largest number of their type, which is no vertex: triangles end there");
+    warn_if(notes.broken_triangles, " triangles with positions that are not finite left out");
     warn_if(notes.rebuilt_normals, " normals of no length rebuilt from the faces");
     warn_if(notes.rebuilt_tangents, " tangents of no use replaced");
     warn_if(notes.replaced_texcoords, " texture coordinates were not finite: replaced by 0");
     warn_if(notes.replaced_colors, " vertex colours were not finite: replaced by white");
+    warn_if(notes.clamped_colors, " vertex colours outside of 0 to 1 clamped");
     warn_if(notes.missing_texcoords,
             " primitives have textures but not the texture coordinates they are read at: (0, 0) is used");
 }
@@ -168,10 +210,10 @@ void check_reach(const Document& document, const glm::dmat4& transform, float re
 
 void read_results(const Document& document, const ShapeStore& shapes, Plan& plan)
 {
-    plan.results.resize(plan.requests.size());
     parallel_for_each_index(plan.results.size(), [&](std::size_t i) {
-        plan.results[i] =
-            is_known(shapes, i) ? *(*shapes.known)[i] : read_primitive(document, plan.requests[i]);
+        if (!plan.results[i].is_lost)
+            plan.results[i] =
+                is_known(shapes, i) ? *(*shapes.known)[i] : read_primitive(document, plan.requests[i]);
     });
     if (shapes.keep == nullptr)
         return;
@@ -193,10 +235,41 @@ void hide(const std::vector<std::size_t>& hidden, DrawnMeshes& drawn)
     drawn.meshes.emplace_back();
 }
 
-// Instances of the results that have triangles; those results become meshes, in order.
-void assemble(const Document& document, const NodeTree& nodes, Plan& plan, DrawnMeshes& drawn,
+// Tells what the primitives lost, and throws where that leaves nothing to draw.
+void tell_losses(const Document& document, const NodeTree& nodes, const Plan& plan, Losses& losses)
+{
+    std::string first = document.first_loss;
+    bool draws = false;
+    for (const std::string& loss : {nodes.first_loss, plan.first_loss})
+        first = first.empty() ? loss : first;
+    for (const PrimitiveResult& result : plan.results) {
+        for (const std::string& fault : result.faults)
+            losses.add(fault);
+        losses.add(result.loss, "the primitive is left out");
+        first = first.empty() ? result.loss : first;
+        draws = draws || !result.mesh.triangles.empty();
+    }
+    if (!draws && !first.empty())
+        refuse(first);
+}
+
+// Instances of the results that have triangles; those results become meshes, in order. What was lost at this moment may
+// be there at another: in a file that moves it is an empty mesh. Throws where all is too far away.
+void assemble(const NodeTree& nodes, Plan& plan, DrawnMeshes& drawn, const Document& document,
               Warnings& warnings)
 {
+    Losses losses(document.file, warnings);
+    std::string far;
+    const auto is_far = [&](const glm::dmat4& transform, const PrimitiveResult& result, int node) {
+        try {
+            check_reach(document, transform, result.reach, node);
+            return false;
+        } catch (const Error& error) {
+            losses.add(error.what(), "left out");
+            far = error.what();
+            return true;
+        }
+    };
     std::vector<int> mesh_of(plan.results.size(), -1);
     const bool moves = !nodes.pose.empty();
     std::size_t singular = 0;
@@ -206,21 +279,22 @@ void assemble(const Document& document, const NodeTree& nodes, Plan& plan, Drawn
         const glm::dmat4 transform = result.in_world ? glm::dmat4(1.0) : nodes.world[at(use.node)];
         const bool flat = !is_invertible(transform);
         singular += flat ? 1 : 0;
-        if (flat && !moves)
+        const bool hides = flat || is_far(transform, result, use.node);
+        if (hides && !moves)
             continue;
-        if (!flat)
-            check_reach(document, transform, result.reach, use.node);
         if (mesh_of[use.request] < 0) {
-            if (result.mesh.triangles.empty())
+            if (result.mesh.triangles.empty() && !(moves && result.is_lost))
                 continue;
             mesh_of[use.request] = static_cast<int>(drawn.meshes.size());
             result.mesh.material = drawn.materials.index_of(plan.materials[use.request]);
             drawn.meshes.push_back(std::move(result.mesh));
         }
-        if (flat)
+        if (hides)
             hidden.push_back(drawn.instances.size());
         drawn.instances.push_back({mesh_of[use.request], -1, glm::mat4(transform)});
     }
+    if (!far.empty() && hidden.size() == drawn.instances.size())
+        refuse(far);
     if (moves)
         hide(hidden, drawn);
     if (singular != 0)
@@ -233,8 +307,9 @@ void assemble(const Document& document, const NodeTree& nodes, Plan& plan, Drawn
 DrawnMeshes read_meshes(const Document& document, const NodeTree& nodes, const ShapeStore& shapes,
                         Warnings& warnings)
 {
-    Plan plan = Planner(document, nodes).make();
-    check_work(document, plan, shapes);
+    Losses losses(document.file, warnings);
+    Plan plan = Planner(document, nodes, losses).make();
+    check_work(document, shapes, plan);
     DrawnMeshes drawn;
     drawn.materials = read_materials(document, plan.materials, warnings);
     for (std::size_t i = 0; i < plan.requests.size(); ++i)
@@ -242,11 +317,12 @@ DrawnMeshes read_meshes(const Document& document, const NodeTree& nodes, const S
             texture_needs(drawn.materials.materials[at(drawn.materials.index_of(plan.materials[i]))]);
 
     read_results(document, shapes, plan);
+    tell_losses(document, nodes, plan, losses);
     PrimitiveNotes notes;
     for (const PrimitiveResult& result : plan.results)
         notes += result.notes;
-    warn(document, notes, plan.not_triangles, warnings);
-    assemble(document, nodes, plan, drawn, warnings);
+    warn(document, notes, plan, warnings);
+    assemble(nodes, plan, drawn, document, warnings);
     return drawn;
 }
 

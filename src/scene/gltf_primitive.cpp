@@ -2,6 +2,8 @@
 
 #include "scene/gltf_accessor.h"
 #include "scene/gltf_deform.h"
+#include "scene/gltf_losses.h"
+#include "scene/gltf_mend.h"
 #include "scene/normals.h"
 #include "scene/tangents.h"
 
@@ -11,6 +13,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <optional>
 
 namespace lambent::scene {
@@ -51,28 +54,34 @@ std::optional<AccessorUse> vertex_attribute(const Document& document, const Prim
     return use;
 }
 
-std::vector<std::uint32_t> corner_list(const Document& document, const PrimitivePart& part,
-                                       std::size_t vertices)
+// The corners, and the number among them that is none.
+struct Corners {
+    std::vector<std::uint32_t> list;
+    std::uint32_t restart = std::numeric_limits<std::uint32_t>::max();
+};
+
+Corners corner_list(const Document& document, const PrimitivePart& part, std::size_t vertices)
 {
-    std::vector<std::uint32_t> corners;
+    Corners corners;
     if (part.primitive.indices < 0) {
-        corners.resize(vertices);
+        corners.list.resize(vertices);
         for (std::size_t i = 0; i < vertices; ++i)
-            corners[i] = static_cast<std::uint32_t>(i);
+            corners.list[i] = static_cast<std::uint32_t>(i);
         return corners;
     }
-    corners = read_indices(document, {part.primitive.indices, part.name + ", indices", false, {}});
+    corners.list = read_indices(document, {part.primitive.indices, part.name + ", indices", false, {}});
+    corners.restart = restart_index(document.model.accessors[at(part.primitive.indices)].componentType);
     std::uint32_t largest = 0;
-    for (const std::uint32_t corner : corners)
-        largest = std::max(largest, corner);
-    if (!corners.empty() && largest >= vertices)
+    for (const std::uint32_t corner : corners.list)
+        largest = std::max(largest, corner == corners.restart ? 0 : corner);
+    if (!corners.list.empty() && largest >= vertices)
         document.fail(part.name, ": index ", largest, " is past its ", vertices, " vertices");
     return corners;
 }
 
 // Strips and fans by the formulas of the specification; what they repeat to turn a corner is left out.
 // [glTF 2.0, 3.7.2.1]
-std::vector<glm::uvec3> triangles_of(const std::vector<std::uint32_t>& corners, int mode)
+std::vector<glm::uvec3> triangles_of(std::span<const std::uint32_t> corners, int mode)
 {
     std::vector<glm::uvec3> triangles;
     if (mode == TINYGLTF_MODE_TRIANGLES) {
@@ -88,6 +97,30 @@ std::vector<glm::uvec3> triangles_of(const std::vector<std::uint32_t>& corners, 
                 : glm::uvec3(corners[i + 1], corners[i + 2], corners[0]);
         if (triangle.x != triangle.y && triangle.y != triangle.z && triangle.z != triangle.x)
             triangles.push_back(triangle);
+    }
+    return triangles;
+}
+
+std::size_t left_over(std::size_t corners, int mode)
+{
+    if (mode == TINYGLTF_MODE_TRIANGLES)
+        return corners % 3;
+    return corners < 3 ? corners : 0;
+}
+
+std::vector<glm::uvec3> triangles_between(const Corners& corners, int mode, PrimitiveNotes& notes)
+{
+    const auto runs = runs_between(corners.list, corners.restart);
+    if (runs.size() == 1 && runs.front().size() == corners.list.size()) {
+        notes.left_over_indices = left_over(corners.list.size(), mode);
+        return triangles_of(corners.list, mode);
+    }
+    std::vector<glm::uvec3> triangles;
+    notes.restarts = corners.list.size();
+    for (const std::span<const std::uint32_t> run : runs) {
+        const std::vector<glm::uvec3> more = triangles_of(run, mode);
+        triangles.insert(triangles.end(), more.begin(), more.end());
+        notes.restarts -= run.size();
     }
     return triangles;
 }
@@ -110,26 +143,33 @@ std::vector<std::uint32_t> choose_vertices(std::vector<glm::uvec3>& triangles, s
     return used;
 }
 
-void read_attributes(const Document& document, const PrimitivePart& part, std::size_t vertices, Mesh& mesh)
+// What is faulty, but for the positions, is left out: normals and tangents are made anew then.
+void read_attributes(const Document& document, const PrimitivePart& part, std::size_t vertices,
+                     Losses& losses, Mesh& mesh)
 {
     mesh.positions = read_vec3(document, *attribute(part, "POSITION"));
+    const auto read = [&](const char* name, auto&& into) {
+        losses.spare("left out", [&] {
+            if (auto use = vertex_attribute(document, part, name, vertices))
+                into(*use);
+        });
+    };
     // Whole numbers in unit vectors are fractions even where a file forgets to say so; lengths come later.
-    if (auto use = vertex_attribute(document, part, "NORMAL", vertices)) {
-        use->normalized = true;
-        mesh.normals = read_vec3(document, *use);
-    }
-    if (auto use = vertex_attribute(document, part, "TANGENT", vertices); use && !mesh.normals.empty()) {
-        use->normalized = true;
-        mesh.tangents = read_vec4(document, *use);
-    }
-    if (const auto use = vertex_attribute(document, part, "TEXCOORD_0", vertices))
-        mesh.texcoords[0] = read_vec2(document, *use);
-    if (const auto use = vertex_attribute(document, part, "TEXCOORD_1", vertices))
-        mesh.texcoords[1] = read_vec2(document, *use);
-    if (auto use = vertex_attribute(document, part, "COLOR_0", vertices)) {
-        use->normalized = true;
-        mesh.colors = read_color(document, *use);
-    }
+    read("NORMAL", [&](AccessorUse& use) {
+        use.normalized = true;
+        mesh.normals = read_vec3(document, use);
+    });
+    if (!mesh.normals.empty())
+        read("TANGENT", [&](AccessorUse& use) {
+            use.normalized = true;
+            mesh.tangents = read_vec4(document, use);
+        });
+    read("TEXCOORD_0", [&](const AccessorUse& use) { mesh.texcoords[0] = read_vec2(document, use); });
+    read("TEXCOORD_1", [&](const AccessorUse& use) { mesh.texcoords[1] = read_vec2(document, use); });
+    read("COLOR_0", [&](AccessorUse& use) {
+        use.normalized = true;
+        mesh.colors = read_color(document, use);
+    });
 }
 
 bool is_finite(float value)
@@ -146,16 +186,21 @@ bool is_finite(const Vector& vector)
     return true;
 }
 
-// Returns the largest coordinate, sign aside.
-float check_positions(const Document& document, const PrimitivePart& part, const Mesh& mesh)
+// Returns the largest coordinate, sign aside. Throws where no triangle has finite ones.
+float check_positions(const Document& document, const PrimitivePart& part, Mesh& mesh, PrimitiveNotes& notes)
 {
     glm::vec3 reach(0.0f);
-    for (std::size_t vertex = 0; vertex < mesh.positions.size(); ++vertex) {
-        if (!is_finite(mesh.positions[vertex]))
+    const auto broken = std::find_if(mesh.positions.begin(), mesh.positions.end(),
+                                     [](const glm::vec3& position) { return !is_finite(position); });
+    if (broken != mesh.positions.end()) {
+        const auto vertex = static_cast<std::size_t>(broken - mesh.positions.begin());
+        notes.broken_triangles = remove_broken_triangles(mesh);
+        if (mesh.triangles.empty())
             document.fail(part.name, ": the position of vertex ",
                           part.selection.empty() ? vertex : part.selection[vertex], " is not finite");
-        reach = glm::max(reach, glm::abs(mesh.positions[vertex]));
     }
+    for (const glm::vec3& position : mesh.positions)
+        reach = glm::max(reach, glm::abs(position));
     return std::max({reach.x, reach.y, reach.z});
 }
 
@@ -178,6 +223,7 @@ void complete(const TextureNeeds& needs, Mesh& mesh, PrimitiveNotes& notes)
     notes.replaced_texcoords +=
         replace_not_finite(mesh.texcoords[0], 0.0f) + replace_not_finite(mesh.texcoords[1], 0.0f);
     notes.replaced_colors += replace_not_finite(mesh.colors, 1.0f);
+    notes.clamped_colors += clamp_colors(mesh.colors);
     if (mesh.normals.empty())
         make_flat_normals(mesh);
     else
@@ -197,13 +243,6 @@ bool is_read(const std::string& attribute)
            attribute.starts_with("JOINTS_") || attribute.starts_with("WEIGHTS_");
 }
 
-std::size_t left_over(std::size_t corners, int mode)
-{
-    if (mode == TINYGLTF_MODE_TRIANGLES)
-        return corners % 3;
-    return corners < 3 ? corners : 0;
-}
-
 } // namespace
 
 PrimitiveNotes& PrimitiveNotes::operator+=(const PrimitiveNotes& other)
@@ -215,6 +254,9 @@ PrimitiveNotes& PrimitiveNotes::operator+=(const PrimitiveNotes& other)
     left_over_indices += other.left_over_indices;
     missing_texcoords += other.missing_texcoords;
     left_out_displacements += other.left_out_displacements;
+    clamped_colors += other.clamped_colors;
+    restarts += other.restarts;
+    broken_triangles += other.broken_triangles;
     return *this;
 }
 
@@ -237,17 +279,25 @@ std::uint64_t check_request(const Document& document, const PrimitiveRequest& re
         sparse += sparse_count(document, accessor);
         return static_cast<std::uint64_t>(accessor_count(document, use));
     };
+    // What is faulty here is left out when it is read, and told of then.
+    const auto check_if_whole = [&](int accessor, const std::string& what) {
+        try {
+            check(accessor, what);
+        } catch (const Error&) {
+        }
+    };
     const int position = primitive.attributes.at("POSITION");
     accessor_count(document, {position, name + ", POSITION", false, {}});
-    if (document.model.accessors[at(position)].bufferView < 0 &&
+    const tinygltf::Accessor& positions = document.model.accessors[at(position)];
+    if (positions.bufferView < 0 && !positions.sparse.isSparse &&
         primitive.extensions.contains("KHR_draco_mesh_compression"))
-        document.fail(name, ": its geometry is only there as KHR_draco_mesh_compression");
+        document.fail(name, ": its geometry is only there as KHR_draco_mesh_compression, which is not read");
     std::uint64_t visits = check(position, "POSITION");
     if (primitive.indices >= 0)
         visits = check(primitive.indices, "indices");
     for (const auto& [attribute_name, accessor] : primitive.attributes)
         if (is_read(attribute_name))
-            check(accessor, attribute_name);
+            check_if_whole(accessor, attribute_name);
     std::uint64_t passes = 1;
     for (std::size_t target = 0; target < primitive.targets.size(); ++target) {
         if (target >= request.weights.size() || request.weights[target] == 0.0)
@@ -255,36 +305,53 @@ std::uint64_t check_request(const Document& document, const PrimitiveRequest& re
         ++passes;
         for (const auto& [attribute_name, accessor] : primitive.targets[target])
             if (is_read(attribute_name))
-                check(accessor, text("target ", target, " ", attribute_name));
+                check_if_whole(accessor, text("target ", target, " ", attribute_name));
     }
     return visits * passes + sparse;
 }
 
-PrimitiveResult read_primitive(const Document& document, const PrimitiveRequest& request)
+namespace {
+
+void read(const Document& document, const PrimitiveRequest& request, Losses& losses, PrimitiveResult& result)
 {
     const tinygltf::Primitive& primitive = find_primitive(document, request.mesh, request.primitive);
     PrimitivePart part{primitive, primitive_name(request.mesh, request.primitive), {}};
     const std::size_t vertices = accessor_count(document, *attribute(part, "POSITION"));
 
-    PrimitiveResult result;
     Mesh& mesh = result.mesh;
-    {
-        const std::vector<std::uint32_t> corners = corner_list(document, part, vertices);
-        result.notes.left_over_indices = left_over(corners.size(), primitive.mode);
-        mesh.triangles = triangles_of(corners, primitive.mode);
-    }
+    mesh.triangles = triangles_between(corner_list(document, part, vertices), primitive.mode, result.notes);
     if (mesh.triangles.empty())
-        return result;
+        return;
     const std::vector<std::uint32_t> selection = choose_vertices(mesh.triangles, vertices);
     part.selection = selection;
-    read_attributes(document, part, vertices, mesh);
-    result.notes.left_out_displacements = apply_morph_targets(document, part, request.weights, mesh);
-    if (!request.skin.empty() && has_skin_attributes(primitive)) {
-        apply_skin(document, part, request.skin, mesh);
-        result.in_world = true;
-    }
-    result.reach = check_positions(document, part, mesh);
+    read_attributes(document, part, vertices, losses, mesh);
+    result.notes.left_out_displacements = apply_morph_targets(document, part, request.weights, losses, mesh);
+    if (!request.skin.empty() && has_skin_attributes(primitive))
+        result.in_world =
+            losses.spare("drawn without the skin", [&] { apply_skin(document, part, request.skin, mesh); });
+    result.reach = check_positions(document, part, mesh, result.notes);
     complete(request.needs, mesh, result.notes);
+}
+
+} // namespace
+
+PrimitiveResult read_primitive(const Document& document, const PrimitiveRequest& request)
+{
+    PrimitiveResult result;
+    try {
+        Losses losses(document.file, result.faults);
+        read(document, request, losses, result);
+        return result;
+    } catch (const Error& error) {
+        return lost_primitive(error);
+    }
+}
+
+PrimitiveResult lost_primitive(const Error& error)
+{
+    PrimitiveResult result;
+    result.is_lost = true;
+    result.loss = error.what();
     return result;
 }
 
