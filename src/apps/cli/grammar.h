@@ -16,7 +16,7 @@ namespace lambent::cli {
 /// The words of the options that every command has. CLI11 fills them, and an empty one was not given.
 struct CommonWords {
     std::string threads, stats;
-    bool quiet = false, verbose = false;
+    bool quiet = false, verbose = false, strict = false;
 };
 
 /// The value that goes with a word. Throws Error(usage) with the words that would do.
@@ -49,7 +49,7 @@ int whole_in(const std::string& word, const std::string& option, int least, int 
 void option(CLI::App& app, const std::string& name, std::string& word, const std::string& kind,
             const std::string& help);
 
-/// Adds --threads, --stats, --quiet and --verbose.
+/// Adds --threads, --stats, --strict, --quiet and --verbose.
 void add_common(CLI::App& app, CommonWords& words);
 
 /// What they say. Throws Error(usage).

@@ -46,7 +46,7 @@ scene::Scene load_scene(const RenderArguments& arguments, Warnings& warnings)
 {
     if (scene::is_builtin(arguments.scene))
         return scene::make_builtin(arguments.scene, arguments.builtin);
-    const scene::GltfFile file(arguments.scene, warnings);
+    const scene::GltfFile file(arguments.scene, warnings, {true, {}});
     return file.scene(moment_asked(arguments, file.animations()), warnings);
 }
 

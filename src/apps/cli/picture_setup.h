@@ -11,7 +11,7 @@
 
 namespace lambent::cli {
 
-/// The built-in scene or the file, at the moment asked for. Throws as scene::load_gltf and moment_asked.
+/// The built-in scene or the file, with what it names anywhere, at the moment asked for. Throws as scene::load_gltf and moment_asked.
 scene::Scene load_scene(const RenderArguments& arguments, Warnings& warnings);
 
 /// The moment asked for of a file with these animations; none: it stands still. Throws Error(usage), naming them, where
