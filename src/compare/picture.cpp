@@ -25,7 +25,8 @@ struct Header {
 
 Header header_of(const fs::path& path)
 {
-    const image::ImageInfo info = image::inspect(path);
+    Warnings told_when_read;
+    const image::ImageInfo info = image::inspect(path, &told_when_read);
     const bool codes = info.format == "PNG" || info.format == "JPEG";
     return {info.width, info.height, codes ? Kind::srgb : Kind::linear};
 }
@@ -44,9 +45,9 @@ float code_at(const image::CodeImage& codes, std::size_t i)
     return static_cast<float>(code) / 65535.0f;
 }
 
-image::RadianceImage read_as_values(const fs::path& path)
+image::RadianceImage read_as_values(const fs::path& path, Warnings& warnings)
 {
-    const image::CodeImage codes = image::read_codes(path);
+    const image::CodeImage codes = image::read_codes(path, &warnings);
     image::RadianceImage values{codes.width, codes.height, 3, {}};
     const auto width = static_cast<std::size_t>(codes.width),
                channels = static_cast<std::size_t>(codes.channels);
@@ -86,7 +87,7 @@ void mend(image::RadianceImage& picture, const fs::path& path, Warnings& warning
 image::RadianceImage read(const fs::path& path, const Header& header, Warnings& warnings)
 {
     if (header.kind == Kind::srgb)
-        return read_as_values(path);
+        return read_as_values(path, warnings);
     image::RadianceImage picture = image::read_radiance(path, warnings);
     mend(picture, path, warnings);
     return picture;

@@ -131,26 +131,26 @@ RadianceImage decode_radiance(std::span<const std::uint8_t> bytes, const std::st
     return read_all_rows(*open_radiance(open_bytes(bytes, name)));
 }
 
-CodeImage decode_codes(std::span<const std::uint8_t> bytes, const std::string& name)
+CodeImage decode_codes(std::span<const std::uint8_t> bytes, const std::string& name, Warnings* warnings)
 {
     const Content content = content_of(bytes);
     if (content == Content::png)
-        return decode_png(bytes, name);
+        return decode_png(bytes, name, warnings);
     if (content == Content::jpeg)
-        return decode_jpeg(bytes, name);
+        return decode_jpeg(bytes, name, warnings);
     refuse(name, "is a ", name_of(content), "; codes are read from PNG and JPEG");
 }
 
-CodeImage read_codes(const std::filesystem::path& path)
+CodeImage read_codes(const std::filesystem::path& path, Warnings* warnings)
 {
     const std::unique_ptr<ByteSource> source = open_bytes(path);
     const Content content = content_of(*source);
     if (content != Content::png && content != Content::jpeg)
         refuse(source->name(), "is a ", name_of(content), "; codes are read from PNG and JPEG");
-    return decode_codes(read_all(*source), source->name());
+    return decode_codes(read_all(*source), source->name(), warnings);
 }
 
-ImageInfo inspect(const std::filesystem::path& path)
+ImageInfo inspect(const std::filesystem::path& path, Warnings* warnings)
 {
     std::unique_ptr<ByteSource> source = open_bytes(path);
     switch (content_of(*source)) {
@@ -161,7 +161,7 @@ ImageInfo inspect(const std::filesystem::path& path)
     case Content::png:
         return inspect_png(read_all(*source), source->name());
     case Content::jpeg:
-        return inspect_jpeg(read_all(*source), source->name());
+        return inspect_jpeg(read_all(*source), source->name(), warnings);
     case Content::other:
         break;
     }

@@ -58,12 +58,14 @@ RadianceImage read_radiance(const std::filesystem::path& path, Warnings& warning
 /// The same of bytes in memory; `name` is used in messages. Throws Error(bad_input).
 RadianceImage decode_radiance(std::span<const std::uint8_t> bytes, const std::string& name);
 
-/// A PNG or JPEG held in memory, as RGBA codes, 8 or (PNG) 16 bits. `name` is used in messages.
+/// A PNG or JPEG held in memory, as RGBA codes, 8 or (PNG) 16 bits. `name` is used in messages. What is damaged but can be
+/// shown is told to `warnings`, or without them refused (image/png.h, image/jpeg.h).
 /// Throws Error(bad_input); safe for untrusted bytes.
-CodeImage decode_codes(std::span<const std::uint8_t> bytes, const std::string& name);
+CodeImage decode_codes(std::span<const std::uint8_t> bytes, const std::string& name,
+                       Warnings* warnings = nullptr);
 
-/// A PNG or JPEG file. Throws Error(bad_input).
-CodeImage read_codes(const std::filesystem::path& path);
+/// A PNG or JPEG file, as decode_codes. Throws Error(bad_input).
+CodeImage read_codes(const std::filesystem::path& path, Warnings* warnings = nullptr);
 
 /// Kinds of output file, by extension.
 enum class FileKind { png, jpeg, exr, hdr, unknown };
@@ -87,7 +89,7 @@ struct ImageInfo {
     int height = 0;
 };
 
-/// Throws Error(bad_input).
-ImageInfo inspect(const std::filesystem::path& path);
+/// `warnings` as decode_codes, as far as it is seen. Throws Error(bad_input).
+ImageInfo inspect(const std::filesystem::path& path, Warnings* warnings = nullptr);
 
 } // namespace lambent::image

@@ -1,5 +1,6 @@
 #include "image/jpeg.h"
 
+#include "image/jpeg_decoder.h"
 #include "image/jpeg_markers.h"
 #include "image/refuse.h"
 
@@ -20,16 +21,20 @@ Handle owned(tjhandle handle)
     return {handle, &tjDestroy};
 }
 
-[[noreturn]] void refuse_with_reason(tjhandle handle, const std::string& name)
+[[noreturn]] void refuse_for(const JpegVerdict& verdict, const std::string& name)
 {
-    refuse(name, "not a valid JPEG: ", printable(tjGetErrorStr2(handle), 200));
+    if (verdict.out_of_memory)
+        throw std::bad_alloc();
+    refuse(name, "not a valid JPEG: ", printable(verdict.error, 200));
 }
+
+// An encoder that sends each bit of each coefficient band on its own stays below it.
+constexpr int max_scans = 100;
 
 // A progressive file may revisit the whole picture in each of many tiny scans. Ten are usual; an
 // encoder that sends each bit of each coefficient band on its own stays below a hundred.
 void check_work(const JpegFrame& frame, const std::string& name)
 {
-    constexpr int max_scans = 100;
     constexpr std::int64_t max_visits = std::int64_t{1} << 32;
     const std::int64_t visits = std::int64_t{frame.width} * frame.height * frame.scans;
     if (frame.scans > max_scans || visits > max_visits)
@@ -49,6 +54,19 @@ void check_length(const JpegFrame& frame, std::size_t length, const std::string&
                " pixels its header claims");
 }
 
+// What is wrong with a file that can be read all the same: an error for those who do not listen.
+void complain(const std::string& complaint, const std::string& name, Warnings* warnings)
+{
+    if (warnings == nullptr)
+        refuse(name, "not a valid JPEG: ", complaint);
+    warnings->push_back(text(name, ": damaged JPEG: ", complaint));
+}
+
+std::string early_end(std::size_t length)
+{
+    return text("it ends after ", length, " bytes, before its end mark");
+}
+
 JpegFrame checked_frame(std::span<const std::uint8_t> bytes, const std::string& name)
 {
     const JpegFrame frame = read_jpeg_frame(bytes, name);
@@ -62,21 +80,35 @@ JpegFrame checked_frame(std::span<const std::uint8_t> bytes, const std::string& 
     return frame;
 }
 
-struct Size {
-    int width;
-    int height;
-};
-
-CodeImage decode_scaled(tjhandle handle, std::span<const std::uint8_t> bytes, Size size,
-                        const std::string& name)
+void open(JpegDecoder& decoder, int divisor, const JpegFrame& frame, const std::string& name)
 {
-    constexpr int flags = TJFLAG_ACCURATEDCT | TJFLAG_STOPONWARNING | TJFLAG_LIMITSCANS;
-    CodeImage image{size.width, size.height, 4, 8, {}};
-    image.bytes.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) * 4);
-    if (tjDecompress2(handle, bytes.data(), static_cast<unsigned long>(bytes.size()), image.bytes.data(),
-                      size.width, size.width * 4, size.height, TJPF_RGBA, flags) != 0)
-        refuse_with_reason(handle, name);
-    return image;
+    if (!decoder.open(divisor))
+        refuse_for(decoder.verdict(), name);
+    if (decoder.width() != (frame.width + divisor - 1) / divisor ||
+        decoder.height() != (frame.height + divisor - 1) / divisor || !decoder.has_known_colours())
+        refuse(name, "not a valid JPEG: it contradicts itself");
+}
+
+std::vector<std::uint8_t> read(JpegDecoder& decoder, const std::string& name)
+{
+    std::vector<std::uint8_t> rgba(static_cast<std::size_t>(decoder.width()) *
+                                   static_cast<std::size_t>(decoder.height()) * 4);
+    if (!decoder.read(rgba.data()))
+        refuse_for(decoder.verdict(), name);
+    return rgba;
+}
+
+// A large picture is first decoded at an eighth of its size, so that memory is only taken for whole files.
+void check_whole(std::span<const std::uint8_t> bytes, const JpegFrame& frame, const std::string& name)
+{
+    constexpr std::int64_t large = std::int64_t{1} << 24;
+    if (std::int64_t{frame.width} * frame.height <= large)
+        return;
+    JpegDecoder decoder(bytes, max_scans);
+    open(decoder, 8, frame, name);
+    read(decoder, name);
+    if (decoder.verdict().ends_early)
+        refuse(name, "not a valid JPEG: ", early_end(bytes.size()));
 }
 
 const char* process_name(int process)
@@ -100,28 +132,29 @@ bool is_jpeg(std::span<const std::uint8_t> bytes)
     return bytes.size() >= 3 && bytes[0] == 0xff && bytes[1] == 0xd8 && bytes[2] == 0xff;
 }
 
-CodeImage decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& name)
+CodeImage decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& name, Warnings* warnings)
 {
     const JpegFrame frame = checked_frame(bytes, name);
-    const Handle handle = owned(tjInitDecompress());
-    int width = 0, height = 0, subsampling = 0, colours = 0;
-    if (tjDecompressHeader3(handle.get(), bytes.data(), static_cast<unsigned long>(bytes.size()), &width,
-                            &height, &subsampling, &colours) != 0)
-        refuse_with_reason(handle.get(), name);
-    if (width != frame.width || height != frame.height || colours == TJCS_CMYK || colours == TJCS_YCCK)
-        refuse(name, "not a valid JPEG: it contradicts itself");
-
-    // A large picture is first decoded at an eighth of its size, so that memory is only taken for whole
-    // files.
-    constexpr std::int64_t large = std::int64_t{1} << 24;
-    if (std::int64_t{width} * height > large)
-        decode_scaled(handle.get(), bytes, {(width + 7) / 8, (height + 7) / 8}, name);
-    return decode_scaled(handle.get(), bytes, {width, height}, name);
+    check_whole(bytes, frame, name);
+    JpegDecoder decoder(bytes, max_scans);
+    open(decoder, 1, frame, name);
+    CodeImage image{frame.width, frame.height, 4, 8, read(decoder, name)};
+    const JpegVerdict verdict = decoder.verdict();
+    if (frame.ends_early || verdict.ends_early)
+        complain(early_end(bytes.size()), name, warnings);
+    else if (verdict.complaints > 0)
+        complain(
+            text(printable(verdict.complaint, 200),
+                 verdict.complaints > 1 ? text(" (and ", verdict.complaints - 1, " complaints more)") : ""),
+            name, warnings);
+    return image;
 }
 
-ImageInfo inspect_jpeg(std::span<const std::uint8_t> bytes, const std::string& name)
+ImageInfo inspect_jpeg(std::span<const std::uint8_t> bytes, const std::string& name, Warnings* warnings)
 {
     const JpegFrame frame = checked_frame(bytes, name);
+    if (frame.ends_early)
+        complain(early_end(bytes.size()), name, warnings);
     return {"JPEG",
             text(frame.bits, "-bit ", frame.components == 1 ? "grey" : "colour", ", ",
                  process_name(frame.process)),

@@ -25,6 +25,9 @@ bool is_bare(int marker)
     return (marker >= 0xd0 && marker <= 0xd7) || marker == 0x01;
 }
 
+// Thrown where a byte is wanted that is not there.
+struct EndOfFile {};
+
 struct Walk {
     std::span<const std::uint8_t> bytes;
     const std::string& name;
@@ -33,7 +36,7 @@ struct Walk {
     int byte(std::size_t index) const
     {
         if (index >= bytes.size())
-            refuse(name, "not a valid JPEG: it ends after ", bytes.size(), " bytes, before its end mark");
+            throw EndOfFile();
         return bytes[index];
     }
     int word(std::size_t index) const { return byte(index) * 256 + byte(index + 1); }
@@ -67,26 +70,37 @@ void read_frame_header(const Walk& walk, int marker, JpegFrame& frame)
     frame.components = walk.byte(walk.at + 7);
 }
 
-} // namespace
-
-JpegFrame read_jpeg_frame(std::span<const std::uint8_t> bytes, const std::string& name)
+void read_segments(Walk& walk, JpegFrame& frame)
 {
-    Walk walk{bytes, name};
     if (walk.byte(0) != 0xff || walk.byte(1) != start_of_image)
-        refuse(name, "not a JPEG");
+        refuse(walk.name, "not a JPEG");
     walk.at = 2;
-    JpegFrame frame;
     for (int marker = walk.next_marker(); marker != end_of_image; marker = walk.next_marker()) {
         if (is_bare(marker))
             continue;
         const int length = walk.word(walk.at);
         if (length < 2)
-            refuse(name, "not a valid JPEG: the segment at byte ", walk.at, " has length ", length);
+            refuse(walk.name, "not a valid JPEG: the segment at byte ", walk.at, " has length ", length);
         if (is_frame(marker))
             read_frame_header(walk, marker, frame);
         if (marker == start_of_scan)
             ++frame.scans;
         walk.at += static_cast<std::size_t>(length);
+    }
+}
+
+} // namespace
+
+JpegFrame read_jpeg_frame(std::span<const std::uint8_t> bytes, const std::string& name)
+{
+    Walk walk{bytes, name};
+    JpegFrame frame;
+    try {
+        read_segments(walk, frame);
+    } catch (const EndOfFile&) {
+        if (frame.scans == 0)
+            refuse(name, "not a valid JPEG: it ends after ", bytes.size(), " bytes, before its end mark");
+        frame.ends_early = true;
     }
     if (frame.process == 0 || frame.scans == 0)
         refuse(name, "not a valid JPEG: it holds no picture");

@@ -15,10 +15,11 @@ struct JpegFrame {
     int bits = 0;       ///< of a sample
     int process = 0; ///< second byte of the frame marker: 0xc0 baseline, 0xc1 extended, 0xc2 progressive ...
     int scans = 0;
+    bool ends_early = false; ///< it has a scan, but no end mark
 };
 
 /// Walks the markers from start to end. Throws Error(bad_input) when the bytes are no JPEG, end before
-/// their end mark or hold no frame.
+/// their first scan or hold no frame.
 JpegFrame read_jpeg_frame(std::span<const std::uint8_t> bytes, const std::string& name);
 
 } // namespace lambent::image

@@ -1,5 +1,6 @@
 #include "image/png.h"
 
+#include "image/png_chunks.h"
 #include "image/refuse.h"
 
 #include <spng.h>
@@ -39,9 +40,16 @@ void check(int status, const std::string& name)
         refuse(name, "not a valid PNG: ", spng_strerror(status));
 }
 
-spng_ihdr open(const Context& png, std::span<const std::uint8_t> bytes, const std::string& name)
+// A PNG in memory, and what is done about wrong checksums.
+struct Source {
+    std::span<const std::uint8_t> bytes;
+    spng_crc_action wrong_checksum = SPNG_CRC_ERROR;
+};
+
+spng_ihdr open(const Context& png, const Source& source, const std::string& name)
 {
-    check(spng_set_crc_action(png.spng, SPNG_CRC_ERROR, SPNG_CRC_ERROR), name);
+    const std::span<const std::uint8_t> bytes = source.bytes;
+    check(spng_set_crc_action(png.spng, source.wrong_checksum, source.wrong_checksum), name);
     check(spng_set_chunk_limits(png.spng, max_metadata, max_metadata), name);
     check(spng_set_png_buffer(png.spng, bytes.data(), bytes.size()), name);
     spng_ihdr header{};
@@ -100,10 +108,10 @@ void decode_interlaced(const Context& png, std::size_t row_bytes, CodeImage& ima
 
 // Runs through all passes of a large interlaced file and keeps nothing: a short file that claims a large
 // image is found out before memory is taken for it.
-void check_interlaced(std::span<const std::uint8_t> bytes, const std::string& name)
+void check_interlaced(const Source& source, const std::string& name)
 {
     const Context png(0);
-    const spng_ihdr header = open(png, bytes, name);
+    const spng_ihdr header = open(png, source, name);
     check(spng_decode_image(png.spng, nullptr, 0, SPNG_FMT_RGBA8, SPNG_DECODE_PROGRESSIVE), name);
     std::vector<std::uint8_t> row(std::size_t{header.width} * 4);
     int status = 0;
@@ -121,22 +129,14 @@ std::string describe(const spng_ihdr& header)
                 header.interlace_method ? ", interlaced" : "");
 }
 
-} // namespace
-
-bool is_png(std::span<const std::uint8_t> bytes)
-{
-    static constexpr std::array<std::uint8_t, 8> magic = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-    return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin());
-}
-
-CodeImage decode_png(std::span<const std::uint8_t> bytes, const std::string& name)
+CodeImage decode(const Source& source, const std::string& name)
 {
     const Context png(0);
-    const spng_ihdr header = open(png, bytes, name);
-    check_length(header, bytes.size(), name);
+    const spng_ihdr header = open(png, source, name);
+    check_length(header, source.bytes.size(), name);
     constexpr std::uint64_t large = std::uint64_t{1} << 22;
     if (header.interlace_method && std::uint64_t{header.width} * header.height > large)
-        check_interlaced(bytes, name);
+        check_interlaced(source, name);
 
     CodeImage image{static_cast<int>(header.width),
                     static_cast<int>(header.height),
@@ -154,10 +154,38 @@ CodeImage decode_png(std::span<const std::uint8_t> bytes, const std::string& nam
     return image;
 }
 
+} // namespace
+
+bool is_png(std::span<const std::uint8_t> bytes)
+{
+    static constexpr std::array<std::uint8_t, 8> magic = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+    return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin());
+}
+
+CodeImage decode_png(std::span<const std::uint8_t> bytes, const std::string& name, Warnings* warnings)
+{
+    try {
+        return decode({bytes}, name);
+    } catch (const Error& error) {
+        if (warnings == nullptr)
+            throw;
+        const std::vector<std::uint8_t> needed = needed_chunks(bytes);
+        CodeImage image;
+        try {
+            image = decode({needed, SPNG_CRC_USE}, name);
+        } catch (const Error&) {
+        }
+        if (image.bytes.empty())
+            throw;
+        warnings->push_back(text(error.what(), ": its pixels are used all the same"));
+        return image;
+    }
+}
+
 ImageInfo inspect_png(std::span<const std::uint8_t> bytes, const std::string& name)
 {
     const Context png(0);
-    const spng_ihdr header = open(png, bytes, name);
+    const spng_ihdr header = open(png, {bytes}, name);
     return {"PNG", describe(header), static_cast<int>(header.width), static_cast<int>(header.height)};
 }
 

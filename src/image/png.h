@@ -16,9 +16,11 @@ bool is_png(std::span<const std::uint8_t> bytes);
 /// Any PNG as RGBA: grey is expanded, palettes are looked up, tRNS becomes alpha; 16-bit files stay 16-bit,
 /// all others become 8-bit. Codes are as stored: gAMA, sRGB and iCCP chunks change nothing. An index beyond
 /// the palette is opaque black.
-/// Throws Error(bad_input), also for a wrong checksum anywhere and for a file that ends before its end
-/// mark.
-CodeImage decode_png(std::span<const std::uint8_t> bytes, const std::string& name);
+/// A file whose pixels are whole, but not all around them (a wrong checksum, a broken chunk of metadata, no end mark), is
+/// read with one line in `warnings`; without `warnings` it is refused.
+/// Throws Error(bad_input).
+CodeImage decode_png(std::span<const std::uint8_t> bytes, const std::string& name,
+                     Warnings* warnings = nullptr);
 
 /// Throws Error(bad_input).
 ImageInfo inspect_png(std::span<const std::uint8_t> bytes, const std::string& name);

@@ -23,6 +23,12 @@ struct Stage {
     std::vector<int> images;
 };
 
+// What a path's glTF is read from, once its bytes are there.
+GltfSource source_of(const std::filesystem::path& path, const Reach& reach)
+{
+    return {path.string(), {}, path.parent_path(), reach};
+}
+
 std::vector<AnimationInfo> infos_of(const std::vector<Animation>& animations)
 {
     std::vector<AnimationInfo> infos;
@@ -46,6 +52,8 @@ struct GltfFile::Opened {
                 Warnings& warnings) const;
     Stage rest_stage(const ShapeStore& shapes, Warnings& warnings) const;
     void find_rest() const;
+    void keep_image_index(const std::vector<int>& index) const;
+    void find_image_index(const Stage& stage) const;
 
     std::vector<std::uint8_t> bytes; ///< of the file, unless the caller has them
     Document document;
@@ -57,6 +65,8 @@ struct GltfFile::Opened {
     mutable StillShapes still;
     mutable Bounds rest_bounds;
     mutable glm::dvec3 origin{0.0};
+    mutable std::once_flag images_read;
+    mutable std::vector<int> image_index; ///< as read_images says, of every stage
 
 private:
     GltfSource with_bytes(GltfSource source) const
@@ -116,9 +126,24 @@ void GltfFile::Opened::find_rest() const
     });
 }
 
-GltfFile::GltfFile(const std::filesystem::path& path, Warnings& warnings)
-    : opened_(std::make_unique<const Opened>(read_file(path),
-                                             GltfSource{path.string(), {}, path.parent_path()}, warnings))
+// Which images a scene has is found out by decoding them: mostly by scene(), which a pose's renderer has called before.
+void GltfFile::Opened::keep_image_index(const std::vector<int>& index) const
+{
+    std::call_once(images_read, [&] { image_index = index; });
+}
+
+void GltfFile::Opened::find_image_index(const Stage& stage) const
+{
+    tbb::this_task_arena::isolate([&] {
+        std::call_once(images_read, [&] {
+            Warnings unread;
+            image_index = read_images(document, stage.images, unread).index;
+        });
+    });
+}
+
+GltfFile::GltfFile(const std::filesystem::path& path, Warnings& warnings, const Reach& reach)
+    : opened_(std::make_unique<const Opened>(read_file(path), source_of(path, reach), warnings))
 {
 }
 
@@ -152,7 +177,10 @@ Scene GltfFile::scene(const std::optional<Moment>& moment, Warnings& warnings) c
                          : opened_->rest_stage(shapes, warnings);
     if (moment)
         stage.scene.rest_bounds = opened_->rest_bounds;
-    stage.scene.images = read_images(opened_->document, stage.images);
+    DecodedImages decoded = read_images(opened_->document, stage.images, warnings);
+    opened_->keep_image_index(decoded.index);
+    renumber_images(decoded.index, stage.scene.materials);
+    stage.scene.images = std::move(decoded.images);
     if (stage.scene.instances.empty())
         warnings.push_back(text(opened_->document.file, ": nothing to draw"));
     return std::move(stage.scene);
@@ -163,6 +191,8 @@ Scene GltfFile::pose(const Moment& moment) const
     opened_->find_rest();
     Warnings unread;
     Stage stage = opened_->stage(moment, opened_->origin, {&opened_->still, nullptr}, unread);
+    opened_->find_image_index(stage);
+    renumber_images(opened_->image_index, stage.scene.materials);
     stage.scene.rest_bounds = opened_->rest_bounds;
     return std::move(stage.scene);
 }
@@ -172,9 +202,9 @@ Scene load_gltf_bytes(const GltfSource& source, Warnings& warnings)
     return GltfFile(source, warnings).scene(std::nullopt, warnings);
 }
 
-Scene load_gltf(const std::filesystem::path& path, Warnings& warnings)
+Scene load_gltf(const std::filesystem::path& path, Warnings& warnings, const Reach& reach)
 {
-    return GltfFile(path, warnings).scene(std::nullopt, warnings);
+    return GltfFile(path, warnings, reach).scene(std::nullopt, warnings);
 }
 
 } // namespace lambent::scene

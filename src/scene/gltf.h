@@ -12,6 +12,12 @@
 
 namespace lambent::scene {
 
+/// How far the relative URIs of a glTF may lead.
+struct Reach {
+    bool anywhere = false;                      ///< to any file that this user may read
+    std::vector<std::filesystem::path> folders; ///< else to these and below; none: the glTF's own
+};
+
 /// Reads the default scene of a .gltf or .glb (told apart by content); without one the first, without any
 /// all root nodes. Supports KHR_lights_punctual, KHR_texture_transform, KHR_materials_emissive_strength,
 /// KHR_materials_unlit, KHR_mesh_quantization, EXT_mesh_gpu_instancing and KHR_node_visibility.
@@ -22,14 +28,14 @@ namespace lambent::scene {
 /// scene is far from the origin for its size, its places are relative to its middle (Scene::origin), at every moment to that
 /// of the scene as it stands.
 ///
-/// Buffers and images may be inside the file or beside it. A uri is percent-decoded and must lead to the
-/// folder of the glTF or below: absolute paths, schemes other than data:, and paths that leave by ".." are
-/// refused.
+/// Buffers and images may be inside the file or beside it. A uri is percent-decoded and relative to the file's folder:
+/// absolute paths and schemes other than data: are refused, and what leaves the reach, by ".." or by links.
 ///
-/// What is ignored or mended without harm is added to `warnings`. Throws Error(bad_input) naming the file,
-/// the element (like "accessor 3") and the reason; safe for untrusted files, which may not ask for much
-/// more memory than they have bytes.
-Scene load_gltf(const std::filesystem::path& path, Warnings& warnings);
+/// A part that is broken is left out or mended, and told of in `warnings`, faults of one kind in one line; so is what is
+/// ignored: docs/GLTF.md says what costs what. Throws Error(bad_input) naming the file, the element (like "accessor 3")
+/// and the reason where the file is no glTF 2.0, where faults leave nothing to draw, and where it asks for too much: safe
+/// for untrusted files, which may not ask for much more memory than they have bytes.
+Scene load_gltf(const std::filesystem::path& path, Warnings& warnings, const Reach& reach = {});
 
 /// A moment of one of a file's animations.
 struct Moment {
@@ -43,8 +49,8 @@ struct GltfSource;
 /// says, and so is what it reads. Its const functions may be called by several threads at once.
 class GltfFile {
 public:
-    /// Reads the file and its animations, whose curves are checked; images and shapes are looked at later.
-    GltfFile(const std::filesystem::path& path, Warnings& warnings);
+    /// Reads the file, its buffers and its animations, whose curves are checked; images and shapes are looked at later.
+    GltfFile(const std::filesystem::path& path, Warnings& warnings, const Reach& reach = {});
     /// The same of bytes in memory (scene/gltf_bytes.h), which must outlive it.
     GltfFile(const GltfSource& source, Warnings& warnings);
     ~GltfFile();

@@ -1,5 +1,7 @@
 #include "scene/gltf_accessor.h"
 
+#include "scene/gltf_losses.h"
+
 #include <algorithm>
 #include <cstring>
 #include <limits>
@@ -30,7 +32,10 @@ const tinygltf::Accessor& find_accessor(const Document& document, const Accessor
     const auto& accessors = document.model.accessors;
     if (use.accessor < 0 || static_cast<std::size_t>(use.accessor) >= accessors.size())
         document.fail(use.what, ": accessor ", use.accessor, " does not exist");
-    return accessors[static_cast<std::size_t>(use.accessor)];
+    const tinygltf::Accessor& accessor = accessors[static_cast<std::size_t>(use.accessor)];
+    if (is_broken(accessor.extensions))
+        throw told_already();
+    return accessor;
 }
 
 // Bytes of one component; 0 for the types that glTF does not have (tinygltf lets INT and DOUBLE through).

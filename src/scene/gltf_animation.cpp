@@ -1,6 +1,7 @@
 #include "scene/gltf_animation.h"
 
 #include "scene/gltf_accessor.h"
+#include "scene/gltf_losses.h"
 #include "scene/index.h"
 
 #include <glm/geometric.hpp>
@@ -59,7 +60,7 @@ std::vector<float> numbers_of(const std::vector<Vector>& vectors)
 class AnimationReader {
 public:
     AnimationReader(const Document& document, Warnings& warnings)
-        : document_(document), warnings_(warnings),
+        : document_(document), warnings_(warnings), losses_(document.file, warnings),
           left_(free_numbers + numbers_per_byte * document.buffer_bytes())
     {
     }
@@ -72,7 +73,7 @@ private:
                                     const std::string& name);
     bool is_known(const AnimationSource::Channel& channel);
     Curve read_curve(const AnimationSource::Sampler& sampler, const Track& track, const std::string& name);
-    void read_times(const AnimationSource::Sampler& sampler, const std::string& name, Curve& curve) const;
+    void read_times(const AnimationSource::Sampler& sampler, const std::string& name, Curve& curve);
     void read_values(const AnimationSource::Sampler& sampler, Animated property, const std::string& name,
                      Curve& curve) const;
     void check_values(const std::string& name, const Curve& curve) const;
@@ -80,6 +81,7 @@ private:
 
     const Document& document_;
     Warnings& warnings_;
+    Losses losses_;
     std::uint64_t left_; // numbers that may still be read
     std::size_t unknown_ = 0, matrices_ = 0, shapeless_ = 0, repeated_ = 0;
 };
@@ -93,19 +95,25 @@ void AnimationReader::spend(std::uint64_t numbers)
     left_ -= numbers;
 }
 
+// Two keys at one time are a jump: from there on the later one counts.
 void AnimationReader::read_times(const AnimationSource::Sampler& sampler, const std::string& name,
-                                 Curve& curve) const
+                                 Curve& curve)
 {
+    std::size_t jumps = 0;
     const AccessorUse use{sampler.input, name + ", input", false, {}};
     check_floats(document_, use);
     curve.times = read_scalars(document_, use);
     for (std::size_t key = 0; key < curve.times.size(); ++key) {
         if (!(std::fabs(curve.times[key]) <= farthest_time))
             document_.fail(name, ": the time of key ", key, " is not within ", farthest_time, " s");
-        if (key > 0 && !(curve.times[key] > curve.times[key - 1]))
+        if (key > 0 && curve.times[key] < curve.times[key - 1])
             document_.fail(name, ": the time of key ", key, ", ", curve.times[key],
-                           " s, is not after the one before");
+                           " s, is before the one before");
+        jumps += key > 0 && curve.times[key] == curve.times[key - 1] ? 1 : 0;
     }
+    if (jumps != 0)
+        losses_.add(text(document_.file, ": ", name, ": ", jumps,
+                         " keys are at the same time as the one before: taken as jumps"));
 }
 
 // Whole numbers are fractions in rotations and weights; lengths and factors must be floats. [glTF 2.0, 3.11]
@@ -142,6 +150,8 @@ void AnimationReader::check_values(const std::string& name, const Curve& curve) 
 Curve AnimationReader::read_curve(const AnimationSource::Sampler& sampler, const Track& track,
                                   const std::string& name)
 {
+    if (sampler.is_broken)
+        throw told_already();
     Curve curve;
     if (sampler.interpolation == "STEP")
         curve.interpolation = Interpolation::step;
@@ -214,15 +224,19 @@ Animation AnimationReader::read(std::size_t index)
     std::set<std::pair<int, Animated>> targets;
     for (std::size_t i = 0; i < source.channels.size(); ++i) {
         const AnimationSource::Channel& channel = source.channels[i];
-        std::optional<Track> track = read_track(source, channel, text(name, ", channel ", i));
-        if (!track)
+        std::optional<Track> track;
+        const bool whole = losses_.spare("the channel is left out", [&] {
+            track = read_track(source, channel, text(name, ", channel ", i));
+            if (track && !targets.contains({track->node, track->property}))
+                track->curve = read_curve(source.samplers[at(channel.sampler)], *track,
+                                          text(name, ", sampler ", channel.sampler));
+        });
+        if (!whole || !track)
             continue;
         if (!targets.emplace(track->node, track->property).second) {
             ++repeated_;
             continue;
         }
-        track->curve = read_curve(source.samplers[at(channel.sampler)], *track,
-                                  text(name, ", sampler ", channel.sampler));
         animation.info.seconds =
             std::max(animation.info.seconds, static_cast<double>(track->curve.times.back()));
         animation.tracks.push_back(std::move(*track));

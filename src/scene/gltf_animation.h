@@ -28,10 +28,9 @@ struct Animation {
     std::vector<Track> tracks;
 };
 
-/// Reads every animation of the file. Channels that move nothing that is known are left out with a warning.
-/// Throws Error(bad_input) naming the animation and the channel or sampler: for indices that do not exist, times
-/// that do not ascend, counts that do not fit, values that are not finite, and for more keys than a file of its
-/// size may have.
+/// Reads every animation of the file. Channels that move nothing that is known are left out with a warning, and so are
+/// those with a fault: indices that do not exist, times that descend, counts that do not fit, values that are not finite,
+/// and more keys than a file of its size may have. Keys at one time are a jump, with a warning.
 std::vector<Animation> read_animations(const Document& document, Warnings& warnings);
 
 /// Where the nodes are at a moment; none: as the file has them. Holds all nodes that any of the animations moves,

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/error.h"
-#include "scene/scene.h"
+#include "scene/gltf.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -15,7 +15,8 @@ namespace lambent::scene {
 struct GltfSource {
     std::string file;                            ///< the name that messages start with
     std::span<const std::uint8_t> bytes;         ///< a whole .gltf or .glb
-    std::optional<std::filesystem::path> folder; ///< where relative URIs lead; none: they are refused
+    std::optional<std::filesystem::path> folder; ///< where relative URIs start; none: they are refused
+    Reach reach{};                               ///< how far they may lead
 };
 
 /// As load_gltf (scene/gltf.h), which says what is read and what is refused.

@@ -11,7 +11,7 @@ namespace lambent::scene {
 enum class Interpolation : std::uint8_t { step, linear, cubic };
 
 struct Curve {
-    std::vector<float> times;  ///< of the keys, seconds, ascending; at least one
+    std::vector<float> times;  ///< of the keys, seconds, never descending; at least one
     std::vector<float> values; ///< `width` for each key; cubic: its in-tangent, itself and its out-tangent
     std::size_t width = 1;     ///< at least 1
     Interpolation interpolation = Interpolation::linear;

@@ -1,6 +1,7 @@
 #include "scene/gltf_deform.h"
 
 #include "scene/gltf_accessor.h"
+#include "scene/gltf_json.h"
 #include "scene/index.h"
 
 #include <glm/geometric.hpp>
@@ -85,10 +86,23 @@ void check_joints(const Document& document, const PrimitivePart& part, const std
                   std::size_t joints)
 {
     for (const Influences& set : sets)
-        for (const glm::u16vec4& four : set.joints)
-            for (int i = 0; i < 4; ++i)
-                if (four[i] >= joints)
-                    document.fail(part.name, ": joint ", four[i], " is past the skin's ", joints);
+        for (std::size_t vertex = 0; vertex < set.joints.size(); ++vertex)
+            for (int i = 0; i < 4; ++i) {
+                if (set.joints[vertex][i] >= joints)
+                    document.fail(part.name, ": joint ", set.joints[vertex][i], " is past the skin's ",
+                                  joints);
+                if (!std::isfinite(set.weights[vertex][i]))
+                    document.fail(part.name, ": a joint's weight is not finite");
+            }
+}
+
+bool is_finite(const glm::mat4& matrix)
+{
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!std::isfinite(matrix[column][row]))
+                return false;
+    return true;
 }
 
 // Normals go by the inverse transpose: the matrix of cofactors, with the sign of the determinant.
@@ -112,7 +126,7 @@ void move_vertex(Mesh& mesh, std::size_t vertex, const glm::mat4& matrix, bool m
 } // namespace
 
 std::size_t apply_morph_targets(const Document& document, const PrimitivePart& part,
-                                std::span<const double> weights, Mesh& mesh)
+                                std::span<const double> weights, Losses& losses, Mesh& mesh)
 {
     const auto& targets = part.primitive.targets;
     std::size_t left_out = 0;
@@ -123,14 +137,16 @@ std::size_t apply_morph_targets(const Document& document, const PrimitivePart& p
         for (const auto& [attribute, accessor] : targets[target]) {
             const AccessorUse use =
                 use_of(part, accessor, text("target ", target, " ", printable(attribute)));
-            if (attribute == "POSITION")
-                add_displacement(document, part, use, weight, mesh.positions);
-            else if (attribute == "NORMAL" && !mesh.normals.empty())
-                add_displacement(document, part, use, weight, mesh.normals);
-            else if (attribute == "TANGENT" && !mesh.tangents.empty())
-                add_displacement(document, part, use, weight, mesh.tangents);
-            else if (attribute.starts_with("TEXCOORD_") || attribute.starts_with("COLOR_"))
-                ++left_out;
+            losses.spare("left out", [&, &attribute = attribute] {
+                if (attribute == "POSITION")
+                    add_displacement(document, part, use, weight, mesh.positions);
+                else if (attribute == "NORMAL" && !mesh.normals.empty())
+                    add_displacement(document, part, use, weight, mesh.normals);
+                else if (attribute == "TANGENT" && !mesh.tangents.empty())
+                    add_displacement(document, part, use, weight, mesh.tangents);
+                else if (attribute.starts_with("TEXCOORD_") || attribute.starts_with("COLOR_"))
+                    ++left_out;
+            });
         }
     }
     return left_out;
@@ -141,6 +157,8 @@ std::vector<glm::mat4> skin_matrices(const Document& document, const NodeTree& n
     if (skin < 0 || at(skin) >= document.model.skins.size())
         document.fail("skin ", skin, " does not exist");
     const tinygltf::Skin& source = document.model.skins[at(skin)];
+    if (is_broken(source.extensions))
+        throw told_already();
     std::vector<glm::mat4> inverse_bind;
     if (source.inverseBindMatrices >= 0 && !source.joints.empty()) {
         AccessorUse use{source.inverseBindMatrices, text("skin ", skin, ", inverseBindMatrices"), false, {}};
@@ -151,10 +169,15 @@ std::vector<glm::mat4> skin_matrices(const Document& document, const NodeTree& n
         std::iota(one_each.begin(), one_each.end(), 0u);
         use.selection = one_each;
         inverse_bind = read_mat4(document, use);
+        for (std::size_t joint = 0; joint < inverse_bind.size(); ++joint)
+            if (!is_finite(inverse_bind[joint]))
+                document.fail("skin ", skin, ": inverse bind matrix ", joint, " is not finite");
     }
     std::vector<glm::mat4> matrices;
     for (std::size_t joint = 0; joint < source.joints.size(); ++joint) {
         const int node = source.joints[joint];
+        if (node == unreadable_index)
+            throw told_already();
         if (node < 0 || at(node) >= nodes.world.size())
             document.fail("skin ", skin, ": joint node ", node, " does not exist");
         const glm::dmat4 bind = inverse_bind.empty() ? glm::dmat4(1.0) : glm::dmat4(inverse_bind[joint]);

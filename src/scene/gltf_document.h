@@ -3,6 +3,7 @@
 
 #include "scene/gltf_bytes.h"
 #include "scene/gltf_message.h"
+#include "scene/gltf_uri.h"
 #include "scene/tinygltf_header.h"
 
 #include <cstdint>
@@ -19,11 +20,12 @@ struct BufferBytes {
     bool present = false; ///< false: neither a uri nor a BIN chunk (allowed while nothing uses it)
 };
 
-/// Where an image's PNG or JPEG bytes are: one of the two.
+/// Where an image's PNG or JPEG bytes are: one of the two, or the image is left out.
 struct ImageSource {
     std::string name;
     std::string uri;
     int buffer_view = -1;
+    bool is_broken = false; ///< neither, as was told
 };
 
 /// An animation as the file lists it. Everything is checked when it is read.
@@ -36,6 +38,7 @@ struct AnimationSource {
     struct Sampler {
         int input = 0, output = 0; ///< accessors
         std::string interpolation = "LINEAR";
+        bool is_broken = false; ///< as was told
     };
     std::string name;
     std::vector<Channel> channels;
@@ -44,8 +47,9 @@ struct AnimationSource {
 
 struct Document {
     std::string file;
-    std::optional<std::filesystem::path> folder;
+    UriBase base;
     tinygltf::Model model; ///< without buffers, images and animations; every property checked by check_schema
+    std::string first_loss; ///< the first fault that may have cost something to draw; empty: none
     std::vector<BufferBytes> buffers;
     std::vector<ImageSource> images;
     std::vector<AnimationSource> animations;
@@ -66,15 +70,19 @@ struct Document {
     std::uint64_t buffer_bytes() const; ///< all buffers together
 };
 
-/// Takes the file apart. `source.bytes` must outlive the document. Throws Error(bad_input).
+/// Takes the file apart. `source.bytes` must outlive the document. What does not fit the schema is left out with a warning,
+/// and so is a buffer that cannot be read; where one is shorter than it says, what is there is used.
+/// Throws Error(bad_input) for what is no glTF 2.0, and for hostile sizes.
 Document open_document(const GltfSource& source, Warnings& warnings);
 
-/// The bytes of a bufferView; `what` ("accessor 3") says in the error who asked.
+/// The bytes of a bufferView; `what` ("accessor 3") says in the error who asked. Throws Error(bad_input).
 std::span<const std::uint8_t> view_bytes(const Document& document, int buffer_view, const std::string& what);
 
+/// Whether an element stands for one that could not be read, as was told.
+bool is_broken(const tinygltf::ExtensionMap& extensions);
+
 /// The bytes of a file named by a uri beside the glTF; the error starts with `where`.
-std::vector<std::uint8_t> read_beside(const std::optional<std::filesystem::path>& folder,
-                                      const std::string& uri, const std::string& where);
+std::vector<std::uint8_t> read_beside(const UriBase& base, const std::string& uri, const std::string& where);
 
 /// tinygltf's parse of JSON text that passed check_schema.
 tinygltf::Model parse_model(const std::string& json, const std::string& file);

@@ -8,8 +8,17 @@
 
 namespace lambent::scene {
 
-/// Decodes the listed images of the file, in parallel. Their sizes are added up first: all together may have
-/// 2^30 pixels. Throws Error(bad_input) naming the image; of several broken ones, the first.
-std::vector<image::CodeImage> read_images(const Document& document, std::span<const int> images);
+struct DecodedImages {
+    std::vector<image::CodeImage> images; ///< those that could be read
+    std::vector<int> index;               ///< of each that was listed: where it is in `images`; -1: left out
+};
+
+/// Decodes the listed images of the file, in parallel. One that cannot be read is left out with a warning; one that is
+/// damaged is read as far as it goes, with a warning. Sizes are looked at first: all together may have 2^30 pixels, and
+/// what comes beyond is left out.
+DecodedImages read_images(const Document& document, std::span<const int> images, Warnings& warnings);
+
+/// Lets the materials use images by their new numbers, and leave out those that are not there.
+void renumber_images(std::span<const int> index, std::span<Material> materials);
 
 } // namespace lambent::scene

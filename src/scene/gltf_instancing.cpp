@@ -84,7 +84,7 @@ glm::dmat4 NodeInstances::transform(std::size_t instance) const
 }
 
 std::optional<NodeInstances> read_instances(const Document& document, int node, std::size_t most,
-                                            Warnings& warnings)
+                                            Losses& losses)
 {
     const auto& extensions = document.model.nodes[static_cast<std::size_t>(node)].extensions;
     const auto extension = extensions.find(extension_name);
@@ -92,22 +92,21 @@ std::optional<NodeInstances> read_instances(const Document& document, int node, 
         return std::nullopt;
     const InstanceReader reader(document, node, extension->second.Get("attributes"));
     const auto warn = [&](const auto&... parts) {
-        warnings.push_back(text(document.file, ": node ", node, ", ", extension_name, ": ", parts...));
+        losses.add(text(document.file, ": node ", node, ", ", extension_name, ": ", parts...));
     };
-    try {
+    std::optional<NodeInstances> instances;
+    losses.spare("the mesh is drawn once", [&] {
         const auto counts = reader.counts();
         if (!counts)
-            return std::nullopt;
+            return;
         if (counts->least != counts->most)
             warn("attributes of ", counts->least, " and of ", counts->most, " elements: ", counts->least,
                  " instances are drawn");
         if (counts->least > most)
             warn(counts->least, " instances: only ", most, " of them are drawn");
-        return reader.read(std::min(counts->least, most));
-    } catch (const Error& error) {
-        warnings.push_back(text(error.what(), ": the mesh is drawn once"));
-        return std::nullopt;
-    }
+        instances = reader.read(std::min(counts->least, most));
+    });
+    return instances;
 }
 
 } // namespace lambent::scene

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/gltf_document.h"
+#include "scene/gltf_losses.h"
 
 #include <glm/ext/matrix_double4x4.hpp>
 #include <glm/vec3.hpp>
@@ -28,6 +29,6 @@ struct NodeInstances {
 /// smallest, and no more than `most` instances, each with a warning. Where one cannot be read the mesh is shown once, as
 /// without the extension, with a warning.
 std::optional<NodeInstances> read_instances(const Document& document, int node, std::size_t most,
-                                            Warnings& warnings);
+                                            Losses& losses);
 
 } // namespace lambent::scene

@@ -1,9 +1,11 @@
 #include "scene/gltf_light.h"
 
+#include "scene/gltf_losses.h"
 #include "scene/index.h"
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -33,6 +35,8 @@ Camera read_lens(const Document& document, int index)
     if (index < 0 || at(index) >= document.model.cameras.size())
         document.fail("camera ", index, " does not exist");
     const tinygltf::Camera& source = document.model.cameras[at(index)];
+    if (is_broken(source.extensions))
+        throw told_already();
     Camera camera;
     camera.name = source.name;
     if (source.type == "perspective") {
@@ -55,11 +59,11 @@ bool are_planes(double nearest, double near, double far)
 }
 
 // What a camera says besides the height of what it sees. [glTF 2.0, 3.10.3]
-void read_extent(const Document& document, int index, Camera& camera, Warnings& warnings)
+void read_extent(const Document& document, int index, Losses& losses, Camera& camera)
 {
     const tinygltf::Camera& source = document.model.cameras[at(index)];
     const auto warn = [&](const char* what) {
-        warnings.push_back(text(document.file, ": camera ", index, ": ", what));
+        losses.add(text(document.file, ": camera ", index, ": ", what));
     };
     const bool perspective = source.type == "perspective";
     const auto& p = source.perspective;
@@ -101,23 +105,29 @@ glm::vec3 light_intensity(const Document& document, const tinygltf::Light& light
     return intensity;
 }
 
-void read_cones(const Document& document, const tinygltf::SpotLight& spot, const std::string& name,
-                Light& light)
+void read_cones(const tinygltf::SpotLight& spot, const std::string& name, Losses& losses, Light& light)
 {
-    if (!(spot.innerConeAngle >= 0.0 && spot.innerConeAngle <= spot.outerConeAngle &&
-          spot.outerConeAngle > 0.0 && spot.outerConeAngle <= half_turn / 2.0 + 1e-6))
-        document.fail(name, ": cone angles ", spot.innerConeAngle, " and ", spot.outerConeAngle,
-                      " are not 0 <= inner <= outer <= pi/2");
-    light.inner_cone = static_cast<float>(spot.innerConeAngle);
-    light.outer_cone = static_cast<float>(spot.outerConeAngle);
+    const double most = half_turn / 2.0;
+    const double outer = std::min(spot.outerConeAngle, most);
+    if (!(outer > 0.0))
+        refuse(name, ": outerConeAngle ", spot.outerConeAngle, " leaves no cone");
+    const double inner = std::clamp(spot.innerConeAngle, 0.0, outer);
+    if (inner != spot.innerConeAngle || spot.outerConeAngle > most + 1e-6)
+        losses.add(text(name, ": cone angles ", spot.innerConeAngle, " and ", spot.outerConeAngle,
+                        " are not 0 <= inner <= outer <= pi/2"),
+                   text(inner, " and ", outer, " are used"));
+    light.inner_cone = static_cast<float>(inner);
+    light.outer_cone = static_cast<float>(outer);
 }
 
-Light read_light(const Document& document, int index)
+Light read_light(const Document& document, int index, Losses& losses)
 {
     const std::string name = text("light ", index);
     if (index < 0 || at(index) >= document.model.lights.size())
         document.fail(name, " does not exist");
     const tinygltf::Light& source = document.model.lights[at(index)];
+    if (is_broken(source.extensions))
+        throw told_already();
     Light light;
     if (source.type == "directional")
         light.kind = LightKind::directional;
@@ -129,11 +139,11 @@ Light read_light(const Document& document, int index)
         document.fail(name, ": type \"", printable(source.type), "\" is not known");
     light.intensity = light_intensity(document, source, name);
     if (source.range < 0.0)
-        document.fail(name, ": range ", source.range, " is negative");
+        losses.add(text(document.file, ": ", name, ": range ", source.range, " is negative"), "none is used");
     if (source.range > 0.0)
         light.range = static_cast<float>(source.range);
     if (light.kind == LightKind::spot)
-        read_cones(document, source.spot, name, light);
+        read_cones(source.spot, text(document.file, ": ", name), losses, light);
     return light;
 }
 
@@ -142,19 +152,22 @@ Light read_light(const Document& document, int index)
 std::vector<Camera> read_cameras(const Document& document, const NodeTree& nodes, Warnings& warnings)
 {
     std::vector<Camera> cameras;
+    Losses losses(document.file, warnings);
     for (const int node : nodes.drawn) {
         const tinygltf::Node& source = document.model.nodes[at(node)];
         if (source.camera < 0)
             continue;
-        Camera camera = read_lens(document, source.camera);
-        read_extent(document, source.camera, camera, warnings);
+        Camera camera;
+        if (!losses.spare("the camera is left out", [&] { camera = read_lens(document, source.camera); }))
+            continue;
+        read_extent(document, source.camera, losses, camera);
         if (!source.name.empty())
             camera.name = source.name;
         if (camera.name.empty())
             camera.name = text("camera", cameras.size());
         const auto transform = rigid(nodes.world[at(node)]);
         if (!transform) {
-            warnings.push_back(text(document.file, ": node ", node, ": camera without direction left out"));
+            losses.add(text(document.file, ": node ", node, ": camera without direction left out"));
             continue;
         }
         camera.transform = *transform;
@@ -166,11 +179,14 @@ std::vector<Camera> read_cameras(const Document& document, const NodeTree& nodes
 std::vector<Light> read_lights(const Document& document, const NodeTree& nodes, Warnings& warnings)
 {
     std::vector<Light> lights;
+    Losses losses(document.file, warnings);
     for (const int node : nodes.drawn) {
         const int index = light_of(document.model.nodes[at(node)]);
         if (index < 0 || nodes.hidden[at(node)])
             continue;
-        Light light = read_light(document, index);
+        Light light;
+        if (!losses.spare("the light is left out", [&] { light = read_light(document, index, losses); }))
+            continue;
         const glm::dmat4& world = nodes.world[at(node)];
         light.position = glm::vec3(glm::dvec3(world[3]));
         const glm::dvec3 backward(world[2]);
@@ -178,7 +194,7 @@ std::vector<Light> read_lights(const Document& document, const NodeTree& nodes, 
         if (length > 0.0) {
             light.direction = glm::vec3(-backward / length);
         } else if (light.kind != LightKind::point) {
-            warnings.push_back(text(document.file, ": node ", node, ": light without direction left out"));
+            losses.add(text(document.file, ": node ", node, ": light without direction left out"));
             continue;
         }
         lights.push_back(light);

@@ -1,5 +1,6 @@
 #include "scene/gltf_material.h"
 
+#include "scene/gltf_losses.h"
 #include "scene/index.h"
 
 #include <glm/matrix.hpp>
@@ -17,7 +18,7 @@ namespace {
 // The file's texture settings, read while images that are used get their numbers.
 class MaterialReader {
 public:
-    MaterialReader(const Document& document, Warnings& warnings) : document_(document), warnings_(warnings) {}
+    MaterialReader(const Document& document, Losses& losses) : document_(document), losses_(losses) {}
 
     Material read(int index);
     const std::vector<int>& images() const { return images_; }
@@ -29,18 +30,20 @@ private:
 
     template <class Info>
     TextureUse read_texture(const Info& info, const char* slot);
-    Sampler read_sampler(int index) const;
+    template <class Info>
+    TextureUse find_texture(const Info& info, const char* slot);
+    Sampler read_sampler(int index);
     int scene_image(int image);
 
     float clamped(double value, double low, double high, const char* property);
     template <class... Parts>
     void warn(const Parts&... parts)
     {
-        warnings_.push_back(text(document_.file, ": ", name_, ": ", parts...));
+        losses_.add(text(document_.file, ": ", name_, ": ", parts...));
     }
 
     const Document& document_;
-    Warnings& warnings_;
+    Losses& losses_;
     std::string name_;                                            // "material 3"
     std::map<std::pair<int, std::string_view>, int> image_index_; // by where the bytes are
     std::vector<int> images_;
@@ -79,17 +82,9 @@ Wrap read_wrap(const Document& document, int code, int sampler)
     }
 }
 
-Sampler MaterialReader::read_sampler(int index) const
+void read_magnification(const Document& document, int code, int index, Sampler& sampler)
 {
-    Sampler sampler;
-    if (index < 0)
-        return sampler;
-    if (at(index) >= document_.model.samplers.size())
-        document_.fail("sampler ", index, " does not exist");
-    const tinygltf::Sampler& source = document_.model.samplers[at(index)];
-    sampler.wrap_u = read_wrap(document_, source.wrapS, index);
-    sampler.wrap_v = read_wrap(document_, source.wrapT, index);
-    switch (source.magFilter) {
+    switch (code) {
     case -1:
     case TINYGLTF_TEXTURE_FILTER_LINEAR:
         break;
@@ -97,9 +92,13 @@ Sampler MaterialReader::read_sampler(int index) const
         sampler.magnify_nearest = true;
         break;
     default:
-        document_.fail("sampler ", index, ": magFilter ", source.magFilter, " is not one of glTF");
+        document.fail("sampler ", index, ": magFilter ", code, " is not one of glTF");
     }
-    switch (source.minFilter) {
+}
+
+void read_minification(const Document& document, int code, int index, Sampler& sampler)
+{
+    switch (code) {
     case -1:
     case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR:
         break;
@@ -111,12 +110,28 @@ Sampler MaterialReader::read_sampler(int index) const
         break;
     case TINYGLTF_TEXTURE_FILTER_LINEAR:
     case TINYGLTF_TEXTURE_FILTER_NEAREST:
-        sampler.minify_nearest = source.minFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
+        sampler.minify_nearest = code == TINYGLTF_TEXTURE_FILTER_NEAREST;
         sampler.mipmapped = false;
         break;
     default:
-        document_.fail("sampler ", index, ": minFilter ", source.minFilter, " is not one of glTF");
+        document.fail("sampler ", index, ": minFilter ", code, " is not one of glTF");
     }
+}
+
+Sampler MaterialReader::read_sampler(int index)
+{
+    Sampler sampler;
+    if (index < 0)
+        return sampler;
+    if (at(index) >= document_.model.samplers.size()) {
+        warn("sampler ", index, " does not exist: repeating and smooth");
+        return sampler;
+    }
+    const tinygltf::Sampler& source = document_.model.samplers[at(index)];
+    losses_.spare("it repeats", [&] { sampler.wrap_u = read_wrap(document_, source.wrapS, index); });
+    losses_.spare("it repeats", [&] { sampler.wrap_v = read_wrap(document_, source.wrapT, index); });
+    losses_.spare("it is smooth", [&] { read_magnification(document_, source.magFilter, index, sampler); });
+    losses_.spare("it is smooth", [&] { read_minification(document_, source.minFilter, index, sampler); });
     return sampler;
 }
 
@@ -148,12 +163,21 @@ template <class Info>
 TextureUse MaterialReader::read_texture(const Info& info, const char* slot)
 {
     TextureUse use;
-    if (info.index < 0)
-        return use;
+    if (info.index >= 0)
+        losses_.spare("the texture is left out", [&] { use = find_texture(info, slot); });
+    return use;
+}
+
+template <class Info>
+TextureUse MaterialReader::find_texture(const Info& info, const char* slot)
+{
+    TextureUse use;
     const auto& textures = document_.model.textures;
     if (at(info.index) >= textures.size())
         document_.fail(name_, ", ", slot, ": texture ", info.index, " does not exist");
     const tinygltf::Texture& texture = textures[at(info.index)];
+    if (is_broken(texture.extensions))
+        throw told_already();
     use.sampler = read_sampler(texture.sampler);
     use.texcoord = info.texCoord;
     const auto extension = info.extensions.find("KHR_texture_transform");
@@ -207,7 +231,7 @@ void MaterialReader::read_alpha(const tinygltf::Material& source, Material& mate
     else if (source.alphaMode == "BLEND")
         material.alpha_mode = AlphaMode::blend;
     else
-        document_.fail(name_, ": alphaMode \"", printable(source.alphaMode), "\" is not one of glTF");
+        warn("alphaMode \"", printable(source.alphaMode), "\" is not one of glTF: OPAQUE is used");
     material.alpha_cutoff = clamped(source.alphaCutoff, 0.0, 1e30, "alphaCutoff");
 }
 
@@ -235,7 +259,8 @@ Material MaterialReader::read(int index)
 
 int MaterialTable::index_of(int material) const
 {
-    return material < 0 ? scene_index.back() : scene_index[at(material)];
+    return material < 0 || at(material) + 1 >= scene_index.size() ? scene_index.back()
+                                                                  : scene_index[at(material)];
 }
 
 int MaterialTable::line_index_of(int material, bool unlit)
@@ -257,10 +282,14 @@ MaterialTable read_materials(const Document& document, std::span<const int> used
 {
     MaterialTable table;
     table.scene_index.assign(document.model.materials.size() + 1, -1);
-    MaterialReader reader(document, warnings);
-    for (const int material : used) {
-        if (material >= 0 && at(material) >= document.model.materials.size())
-            document.fail("material ", material, " does not exist");
+    Losses losses(document.file, warnings);
+    MaterialReader reader(document, losses);
+    for (int material : used) {
+        if (material >= 0 && at(material) >= document.model.materials.size()) {
+            losses.add(text(document.file, ": material ", material, " does not exist"),
+                       "the default is used");
+            material = -1;
+        }
         int& index = material < 0 ? table.scene_index.back() : table.scene_index[at(material)];
         if (index >= 0)
             continue;

@@ -16,7 +16,7 @@ struct MaterialTable {
     std::vector<int> scene_index;    ///< of each material of the file, last: of the default; -1: not used
     std::vector<int> images;         ///< the file's image behind each image index in `materials`
 
-    /// Index into `materials` for a primitive's material (-1: the default one).
+    /// Index into `materials` for a primitive's material (-1, or one that does not exist: the default one).
     int index_of(int material) const;
 
     /// The same for points and lines, seen from all sides and, without normals, `unlit`: the material itself or a copy that
@@ -27,9 +27,8 @@ private:
     std::map<std::pair<int, bool>, int> line_copies_; ///< by index, and whether it is unlit
 };
 
-/// Reads the listed materials (-1 is the default). Factors outside their range are clamped, with a warning.
-/// Throws Error(bad_input) for a material, texture, sampler or image that does not exist, or an unknown
-/// alphaMode, filter or wrap mode.
+/// Reads the listed materials (-1 is the default). Factors outside their range are clamped, what does not exist or is
+/// unknown is left out for what is usual, with a warning.
 MaterialTable read_materials(const Document& document, std::span<const int> used, Warnings& warnings);
 
 /// What a material's textures ask of the vertices.

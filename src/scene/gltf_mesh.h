@@ -30,8 +30,9 @@ struct ShapeStore {
 /// Reads every primitive under the drawn nodes once for all nodes that share it; skinned ones, and those
 /// whose node has morph weights of its own or animated ones, once for each node. In parallel. Nodes, and instances of
 /// theirs, with a singular transform are left out with a warning; where the file has animations they show an empty mesh, the last
-/// one, instead: its meshes, instances and materials are the same ones at every moment. Throws Error(bad_input), also
-/// where sharing would blow a small file up into unreasonably much geometry.
+/// one, instead: its meshes, instances and materials are the same ones at every moment. Primitives, or parts of them,
+/// that cannot be read are left out with a warning. Throws Error(bad_input) where that leaves nothing to draw, and where
+/// sharing would blow a small file up into unreasonably much geometry.
 DrawnMeshes read_meshes(const Document& document, const NodeTree& nodes, const ShapeStore& shapes,
                         Warnings& warnings);
 

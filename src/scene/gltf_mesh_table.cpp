@@ -4,8 +4,9 @@
 
 namespace lambent::scene {
 
-MeshTable::MeshTable(std::span<PrimitiveResult> results, std::span<const int> materials, DrawnMeshes& drawn)
-    : results_(results), materials_(materials), drawn_(drawn), mesh_of_(results.size(), -1)
+MeshTable::MeshTable(std::span<PrimitiveResult> results, std::span<const int> materials, bool moves,
+                     DrawnMeshes& drawn)
+    : results_(results), materials_(materials), moves_(moves), drawn_(drawn), mesh_of_(results.size(), -1)
 {
 }
 
@@ -25,11 +26,12 @@ int MeshTable::use(std::size_t result)
 
 int MeshTable::add(std::size_t result)
 {
-    Mesh& mesh = results_[result].mesh;
-    if (is_empty(mesh))
+    PrimitiveResult& source = results_[result];
+    Mesh& mesh = source.mesh;
+    if (is_empty(mesh) && !(moves_ && source.is_lost))
         return -1;
     const int material = materials_[result];
-    mesh.material = has_lines(mesh) ? drawn_.materials.line_index_of(material, mesh.normals.empty())
+    mesh.material = source.of_lines ? drawn_.materials.line_index_of(material, source.unlit)
                                     : drawn_.materials.index_of(material);
     drawn_.meshes.push_back(std::move(mesh));
     return static_cast<int>(drawn_.meshes.size()) - 1;

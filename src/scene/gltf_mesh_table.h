@@ -12,13 +12,17 @@ namespace lambent::scene {
 /// Turns what was read into meshes, in the order of first use.
 class MeshTable {
 public:
-    /// `materials` of each result, as the file numbers them. All must outlive it; results that become meshes are emptied.
-    MeshTable(std::span<PrimitiveResult> results, std::span<const int> materials, DrawnMeshes& drawn);
+    /// `materials` of each result, as the file numbers them. In a file that `moves`, what was lost at this moment may be
+    /// there at another, and becomes an empty mesh. All must outlive it; results that become meshes lose theirs.
+    MeshTable(std::span<PrimitiveResult> results, std::span<const int> materials, bool moves,
+              DrawnMeshes& drawn);
 
     /// The mesh of a result, for one instance more; -1: there is none, for nothing is in it, or it holds points and lines
     /// that have been shown too often, which is counted.
     int use(std::size_t result);
 
+    const PrimitiveResult& result(std::size_t index) const { return results_[index]; }
+    DrawnMeshes& drawn() { return drawn_; }
     std::size_t left_out() const { return left_out_; }
 
 private:
@@ -26,6 +30,7 @@ private:
 
     std::span<PrimitiveResult> results_;
     std::span<const int> materials_;
+    bool moves_;
     DrawnMeshes& drawn_;
     std::vector<int> mesh_of_; ///< each result; -1: none yet
     std::size_t repeated_ = 0, left_out_ = 0;

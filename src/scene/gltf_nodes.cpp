@@ -1,5 +1,7 @@
 #include "scene/gltf_nodes.h"
 
+#include "scene/gltf_json.h"
+#include "scene/gltf_losses.h"
 #include "scene/index.h"
 
 #include <glm/ext/matrix_transform.hpp>
@@ -7,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -16,23 +19,66 @@ namespace {
 
 constexpr int no_parent = -1;
 
-std::vector<int> find_parents(const Document& document)
+// Faults in the hierarchy: each costs the link it is about.
+class Complaints {
+public:
+    Complaints(const Document& document, Warnings& warnings)
+        : file_(document.file), losses_(document.file, warnings)
+    {
+    }
+
+    template <class... Parts>
+    void add(const char* cost, const Parts&... parts)
+    {
+        losses_.add(text(file_, ": ", parts...), cost);
+    }
+
+    // Of what may have had something to draw.
+    template <class... Parts>
+    void lose(const char* cost, const Parts&... parts)
+    {
+        add(cost, parts...);
+        if (first_.empty())
+            first_ = text(file_, ": ", parts...);
+    }
+
+    const std::string& first() const { return first_; }
+
+private:
+    const std::string& file_;
+    Losses losses_;
+    std::string first_;
+};
+
+// The file's nodes as a forest: each has one parent at most, and nobody is his own ancestor.
+struct Forest {
+    std::vector<int> parents;
+    std::vector<std::vector<int>> children;
+};
+
+Forest find_links(const Document& document, Complaints& complaints)
 {
     const auto& nodes = document.model.nodes;
-    std::vector<int> parents(nodes.size(), no_parent);
+    Forest forest{std::vector<int>(nodes.size(), no_parent), std::vector<std::vector<int>>(nodes.size())};
     for (std::size_t node = 0; node < nodes.size(); ++node) {
         for (const int child : nodes[node].children) {
-            if (child < 0 || at(child) >= nodes.size())
-                document.fail("node ", node, ": child ", child, " does not exist");
-            if (parents[at(child)] != no_parent)
-                document.fail("node ", child, " has two parents, ", parents[at(child)], " and ", node);
-            parents[at(child)] = static_cast<int>(node);
+            if (child == unreadable_index)
+                continue;
+            if (child < 0 || at(child) >= nodes.size()) {
+                complaints.lose("left out", "node ", node, ": child ", child, " does not exist");
+            } else if (forest.parents[at(child)] != no_parent) {
+                complaints.lose("the first counts", "node ", child, " has two parents, ",
+                                forest.parents[at(child)], " and ", node);
+            } else {
+                forest.parents[at(child)] = static_cast<int>(node);
+                forest.children[node].push_back(child);
+            }
         }
     }
-    return parents;
+    return forest;
 }
 
-glm::dmat4 matrix_transform(const Document& document, std::size_t node)
+glm::dmat4 matrix_transform(const Document& document, std::size_t node, Complaints& complaints)
 {
     const std::vector<double>& values = document.model.nodes[node].matrix;
     glm::dmat4 matrix;
@@ -42,7 +88,7 @@ glm::dmat4 matrix_transform(const Document& document, std::size_t node)
     constexpr double slack = 1e-6; // exporters write what their own inverse left over
     if (std::abs(matrix[0][3]) > slack || std::abs(matrix[1][3]) > slack || std::abs(matrix[2][3]) > slack ||
         std::abs(matrix[3][3] - 1.0) > slack)
-        document.fail("node ", node, ": its matrix is not affine");
+        complaints.add("its last row is ignored", "node ", node, ": its matrix is not affine");
     matrix[0][3] = matrix[1][3] = matrix[2][3] = 0.0;
     matrix[3][3] = 1.0;
     return matrix;
@@ -53,12 +99,13 @@ struct LocalTransform {
     bool rotation_was_unit = true;
 };
 
-LocalTransform local_transform(const Document& document, std::size_t index, const NodePose& pose)
+LocalTransform local_transform(const Document& document, std::size_t index, const NodePose& pose,
+                               Complaints& complaints)
 {
     const tinygltf::Node& node = document.model.nodes[index];
     LocalTransform local;
     if (!node.matrix.empty()) {
-        local.matrix = matrix_transform(document, index);
+        local.matrix = matrix_transform(document, index, complaints);
         return local;
     }
     if (pose.translation)
@@ -70,10 +117,12 @@ LocalTransform local_transform(const Document& document, std::size_t index, cons
     } else if (!node.rotation.empty()) {
         const glm::dquat quaternion(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
         const double length = glm::length(quaternion);
-        if (!(length > 1e-30 && std::isfinite(length)))
-            document.fail("node ", index, ": its rotation has no length");
-        local.rotation_was_unit = std::abs(length - 1.0) < 1e-2;
-        local.matrix *= glm::mat4_cast(quaternion / length);
+        if (length > 1e-30 && std::isfinite(length)) {
+            local.rotation_was_unit = std::abs(length - 1.0) < 1e-2;
+            local.matrix *= glm::mat4_cast(quaternion / length);
+        } else {
+            complaints.add("ignored", "node ", index, ": its rotation has no length");
+        }
     }
     if (pose.scale)
         local.matrix = glm::scale(local.matrix, *pose.scale);
@@ -109,91 +158,119 @@ std::vector<int> all_roots(const std::vector<int>& parents)
     return roots;
 }
 
-std::vector<int> scene_roots(const Document& document, const std::vector<int>& parents)
+std::vector<int> scene_roots(const Document& document, const std::vector<int>& parents,
+                             Complaints& complaints)
 {
     const auto& model = document.model;
-    if (model.scenes.empty() && model.defaultScene < 0)
+    int scene = std::max(model.defaultScene, 0);
+    if (at(scene) >= model.scenes.size() && model.defaultScene >= 0) {
+        complaints.add("ignored", "scene ", scene, " does not exist");
+        scene = 0;
+    }
+    if (model.scenes.empty())
         return all_roots(parents);
-    const int scene = std::max(model.defaultScene, 0);
-    if (at(scene) >= model.scenes.size())
-        document.fail("scene ", scene, " does not exist");
     std::vector<bool> listed(parents.size(), false);
-    const std::vector<int>& roots = model.scenes[at(scene)].nodes;
-    for (const int root : roots) {
-        if (root < 0 || at(root) >= parents.size())
-            document.fail("scene ", scene, ": node ", root, " does not exist");
+    std::vector<int> roots;
+    for (const int root : model.scenes[at(scene)].nodes) {
+        if (root == unreadable_index)
+            continue;
+        if (root < 0 || at(root) >= parents.size()) {
+            complaints.lose("left out", "scene ", scene, ": node ", root, " does not exist");
+            continue;
+        }
+        if (listed[at(root)]) {
+            complaints.add("drawn once", "scene ", scene, ": node ", root, " is listed twice");
+            continue;
+        }
         if (parents[at(root)] != no_parent)
-            document.fail("scene ", scene, ": node ", root, " is no root: node ", parents[at(root)],
-                          " is its parent");
-        if (listed[at(root)])
-            document.fail("scene ", scene, ": node ", root, " is listed twice");
+            complaints.add("drawn where that puts it", "scene ", scene, ": node ", root, " is no root: node ",
+                           parents[at(root)], " is its parent");
         listed[at(root)] = true;
+        roots.push_back(root);
     }
     return roots;
 }
 
-// Nodes reachable from the roots, parents first, each subtree in the order of the file.
-std::vector<int> preorder(const Document& document, const std::vector<int>& roots)
+// Nodes reachable from the roots, parents first, each subtree in the order of the file, each once.
+std::vector<int> preorder(const Forest& forest, const std::vector<int>& roots)
 {
     std::vector<int> order;
+    std::vector<bool> seen(forest.parents.size(), false);
     std::vector<int> waiting(roots.rbegin(), roots.rend());
     while (!waiting.empty()) {
         const int node = waiting.back();
         waiting.pop_back();
+        if (seen[at(node)])
+            continue;
+        seen[at(node)] = true;
         order.push_back(node);
-        const std::vector<int>& children = document.model.nodes[at(node)].children;
+        const std::vector<int>& children = forest.children[at(node)];
         waiting.insert(waiting.end(), children.rbegin(), children.rend());
     }
     return order;
 }
 
-// With one parent each, nodes that no root reaches go round in circles.
-void check_cycles(const Document& document, const std::vector<int>& order, const std::vector<int>& parents)
+// With one parent each, nodes that no root reaches go round in circles, or hang on one. Each circle loses one link.
+void cut_cycles(Forest& forest, Complaints& complaints)
 {
-    if (order.size() == parents.size())
-        return;
-    std::vector<bool> reached(parents.size(), false);
-    for (const int node : order)
+    std::vector<bool> reached(forest.parents.size(), false);
+    for (const int node : preorder(forest, all_roots(forest.parents)))
         reached[at(node)] = true;
-    int node = 0;
-    while (reached[at(node)])
-        ++node;
-    // From a node below a cycle the way up leads into it.
-    for (std::size_t step = 0; step < parents.size(); ++step)
-        node = parents[at(node)];
-    document.fail("node ", node, " is its own ancestor");
+    std::vector<bool> passed(reached.size(), false);
+    for (std::size_t start = 0; start < reached.size(); ++start) {
+        if (reached[start])
+            continue;
+        auto node = static_cast<int>(start);
+        for (; !passed[at(node)]; node = forest.parents[at(node)])
+            passed[at(node)] = true;
+        complaints.lose("cut off from its parent", "node ", node, " is its own ancestor");
+        std::erase(forest.children[at(forest.parents[at(node)])], node);
+        forest.parents[at(node)] = no_parent;
+        for (std::vector<int> waiting = {node}; !waiting.empty();) {
+            const int below = waiting.back();
+            waiting.pop_back();
+            reached[at(below)] = true;
+            waiting.insert(waiting.end(), forest.children[at(below)].begin(),
+                           forest.children[at(below)].end());
+        }
+    }
 }
 
 } // namespace
 
 NodeTree build_node_tree(const Document& document, Pose pose, Warnings& warnings)
 {
-    const std::vector<int> parents = find_parents(document);
-    const std::vector<int> order = preorder(document, all_roots(parents));
-    check_cycles(document, order, parents);
+    Complaints complaints(document, warnings);
+    Forest forest = find_links(document, complaints);
+    cut_cycles(forest, complaints);
+    const std::vector<int>& parents = forest.parents;
 
     NodeTree tree;
     tree.world.resize(parents.size());
     tree.hidden.resize(parents.size());
     const NodePose at_rest;
     std::size_t odd_rotations = 0;
-    for (const int node : order) {
+    for (const int node : preorder(forest, all_roots(parents))) {
         const auto posed = pose.find(node);
         const LocalTransform local =
-            local_transform(document, at(node), posed == pose.end() ? at_rest : posed->second);
+            local_transform(document, at(node), posed == pose.end() ? at_rest : posed->second, complaints);
         odd_rotations += local.rotation_was_unit ? 0 : 1;
         const int parent = parents[at(node)];
-        tree.world[at(node)] = parent == no_parent ? local.matrix : tree.world[at(parent)] * local.matrix;
+        glm::dmat4& world = tree.world[at(node)];
+        world = parent == no_parent ? local.matrix : tree.world[at(parent)] * local.matrix;
         tree.hidden[at(node)] =
             hides(document.model.nodes[at(node)]) || (parent != no_parent && tree.hidden[at(parent)]);
-        if (!fits_floats(tree.world[at(node)]))
-            document.fail("node ", node, ": its transform in the world is not finite");
+        if (fits_floats(world))
+            continue;
+        complaints.lose("left out", "node ", node, ": its transform in the world is not finite");
+        world = glm::scale(glm::dmat4(1.0), glm::dvec3(0.0)); // as what is flattened
     }
     if (odd_rotations != 0)
         warnings.push_back(
             text(document.file, ": ", odd_rotations, " node rotations were not of unit length: normalised"));
-    tree.drawn = preorder(document, scene_roots(document, parents));
+    tree.drawn = preorder(forest, scene_roots(document, parents, complaints));
     tree.pose = std::move(pose);
+    tree.first_loss = complaints.first();
     return tree;
 }
 

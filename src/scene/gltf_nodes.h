@@ -9,6 +9,7 @@
 
 #include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace lambent::scene {
@@ -30,12 +31,14 @@ struct NodeTree {
     std::vector<int> drawn;        ///< nodes of the scene, parents before children, in the order of the file
     std::vector<bool> hidden;      ///< of every node of the file: its meshes and lights are not shown
     Pose pose;                     ///< what the transforms were made with
+    std::string first_loss;        ///< the first fault that may have cost something to draw; empty: none
 };
 
 /// Works out world transforms without recursion. The drawn scene is the default one, else the first, else
 /// (a file without scenes) all roots.
-/// Throws Error(bad_input) for indices that do not exist, a node with two parents or in a cycle, a scene that
-/// lists a node that is not a root, a matrix that is not affine, a rotation of length zero.
+/// Faults cost, with a warning, the link that they are about: children and roots that do not exist, a second parent, the
+/// link that closes a circle. A root that has a parent is drawn where that puts it. A matrix that is not affine loses its
+/// last row, a rotation without length does not turn, and what is not finite in the world is flattened to a point.
 /// Rotations that are not of unit length are normalised, with one warning.
 NodeTree build_node_tree(const Document& document, Pose pose, Warnings& warnings);
 

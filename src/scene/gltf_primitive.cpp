@@ -1,7 +1,10 @@
 #include "scene/gltf_primitive.h"
 
 #include "scene/gltf_accessor.h"
+#include "scene/gltf_attributes.h"
 #include "scene/gltf_deform.h"
+#include "scene/gltf_losses.h"
+#include "scene/gltf_mend.h"
 #include "scene/gltf_topology.h"
 #include "scene/index.h"
 #include "scene/normals.h"
@@ -12,7 +15,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <optional>
+#include <limits>
 #include <utility>
 
 namespace lambent::scene {
@@ -28,73 +31,29 @@ std::string primitive_name(int mesh, int primitive)
     return text("mesh ", mesh, ", primitive ", primitive);
 }
 
-// The attribute's accessor, if the primitive has it.
-std::optional<AccessorUse> attribute(const PrimitivePart& part, const char* name)
-{
-    const auto found = part.primitive.attributes.find(name);
-    if (found == part.primitive.attributes.end())
-        return std::nullopt;
-    return AccessorUse{found->second, part.name + ", " + name, false, part.selection};
-}
+// The corners, and the number among them that is none.
+struct Corners {
+    std::vector<std::uint32_t> list;
+    std::uint32_t restart = std::numeric_limits<std::uint32_t>::max();
+};
 
-// As above, having checked that it is as long as the positions.
-std::optional<AccessorUse> vertex_attribute(const Document& document, const PrimitivePart& part,
-                                            const char* name, std::size_t vertices)
+Corners corner_list(const Document& document, const PrimitivePart& part, std::size_t vertices)
 {
-    auto use = attribute(part, name);
-    if (use && accessor_count(document, *use) != vertices)
-        document.fail(use->what, " has ", accessor_count(document, *use), " elements, POSITION has ",
-                      vertices);
-    return use;
-}
-
-std::vector<std::uint32_t> corner_list(const Document& document, const PrimitivePart& part,
-                                       std::size_t vertices)
-{
-    std::vector<std::uint32_t> corners;
+    Corners corners;
     if (part.primitive.indices < 0) {
-        corners.resize(vertices);
+        corners.list.resize(vertices);
         for (std::size_t i = 0; i < vertices; ++i)
-            corners[i] = static_cast<std::uint32_t>(i);
+            corners.list[i] = static_cast<std::uint32_t>(i);
         return corners;
     }
-    corners = read_indices(document, {part.primitive.indices, part.name + ", indices", false, {}});
+    corners.list = read_indices(document, {part.primitive.indices, part.name + ", indices", false, {}});
+    corners.restart = restart_index(document.model.accessors[at(part.primitive.indices)].componentType);
     std::uint32_t largest = 0;
-    for (const std::uint32_t corner : corners)
-        largest = std::max(largest, corner);
-    if (!corners.empty() && largest >= vertices)
+    for (const std::uint32_t corner : corners.list)
+        largest = std::max(largest, corner == corners.restart ? 0 : corner);
+    if (!corners.list.empty() && largest >= vertices)
         document.fail(part.name, ": index ", largest, " is past its ", vertices, " vertices");
     return corners;
-}
-
-// The sets that the material asks for, and the two that every program reads.
-std::set<int> texcoord_sets(const TextureNeeds& needs)
-{
-    std::set<int> sets = needs.texcoords;
-    sets.insert({0, 1});
-    return sets;
-}
-
-void read_attributes(const Document& document, const PrimitivePart& part, const TextureNeeds& needs,
-                     std::size_t vertices, Mesh& mesh)
-{
-    mesh.positions = read_vec3(document, *attribute(part, "POSITION"));
-    // Whole numbers in unit vectors are fractions even where a file forgets to say so; lengths come later.
-    if (auto use = vertex_attribute(document, part, "NORMAL", vertices)) {
-        use->normalized = true;
-        mesh.normals = read_vec3(document, *use);
-    }
-    if (auto use = vertex_attribute(document, part, "TANGENT", vertices); use && !mesh.normals.empty()) {
-        use->normalized = true;
-        mesh.tangents = read_vec4(document, *use);
-    }
-    for (const int set : texcoord_sets(needs))
-        if (const auto use = vertex_attribute(document, part, text("TEXCOORD_", set).c_str(), vertices))
-            mesh.texcoords[set] = read_vec2(document, *use);
-    if (auto use = vertex_attribute(document, part, "COLOR_0", vertices)) {
-        use->normalized = true;
-        mesh.colors = read_color(document, *use);
-    }
 }
 
 bool is_finite(float value)
@@ -111,16 +70,21 @@ bool is_finite(const Vector& vector)
     return true;
 }
 
-// Returns the largest coordinate, sign aside.
-float check_positions(const Document& document, const PrimitivePart& part, const Mesh& mesh)
+// Returns the largest coordinate, sign aside. Throws where nothing is between finite ones.
+float check_positions(const Document& document, const PrimitivePart& part, Mesh& mesh, PrimitiveNotes& notes)
 {
     glm::vec3 reach(0.0f);
-    for (std::size_t vertex = 0; vertex < mesh.positions.size(); ++vertex) {
-        if (!is_finite(mesh.positions[vertex]))
+    const auto broken = std::find_if(mesh.positions.begin(), mesh.positions.end(),
+                                     [](const glm::vec3& position) { return !is_finite(position); });
+    if (broken != mesh.positions.end()) {
+        const auto vertex = static_cast<std::size_t>(broken - mesh.positions.begin());
+        notes.broken_elements = remove_broken_elements(mesh);
+        if (is_empty(mesh))
             document.fail(part.name, ": the position of vertex ",
                           part.selection.empty() ? vertex : part.selection[vertex], " is not finite");
-        reach = glm::max(reach, glm::abs(mesh.positions[vertex]));
     }
+    for (const glm::vec3& position : mesh.positions)
+        reach = glm::max(reach, glm::abs(position));
     return std::max({reach.x, reach.y, reach.z});
 }
 
@@ -156,6 +120,7 @@ void complete(const TextureNeeds& needs, Mesh& mesh, PrimitiveNotes& notes)
     for (auto& [number, set] : mesh.texcoords)
         notes.replaced_texcoords += replace_not_finite(set, 0.0f);
     notes.replaced_colors += replace_not_finite(mesh.colors, 1.0f);
+    notes.clamped_colors += clamp_colors(mesh.colors);
     for (const int set : needs.texcoords)
         notes.missing_texcoords += std::as_const(mesh).texcoords[set].empty() ? 1 : 0;
     if (!has_lines(mesh)) {
@@ -164,17 +129,6 @@ void complete(const TextureNeeds& needs, Mesh& mesh, PrimitiveNotes& notes)
         notes.rebuilt_normals += repair_normals(mesh);
         notes.rebuilt_tangents += repair_tangents(mesh);
     }
-}
-
-// Attributes that nothing reads may be of any kind.
-bool is_read(const std::string& attribute, const TextureNeeds& needs)
-{
-    if (attribute == "POSITION" || attribute == "NORMAL" || attribute == "TANGENT" ||
-        attribute == "COLOR_0" || attribute.starts_with("JOINTS_") || attribute.starts_with("WEIGHTS_"))
-        return true;
-    const std::set<int> sets = texcoord_sets(needs);
-    return std::any_of(sets.begin(), sets.end(),
-                       [&](int set) { return attribute == text("TEXCOORD_", set); });
 }
 
 } // namespace
@@ -188,6 +142,9 @@ PrimitiveNotes& PrimitiveNotes::operator+=(const PrimitiveNotes& other)
     left_over_indices += other.left_over_indices;
     missing_texcoords += other.missing_texcoords;
     left_out_displacements += other.left_out_displacements;
+    clamped_colors += other.clamped_colors;
+    restarts += other.restarts;
+    broken_elements += other.broken_elements;
     return *this;
 }
 
@@ -210,17 +167,25 @@ std::uint64_t check_request(const Document& document, const PrimitiveRequest& re
         sparse += sparse_count(document, accessor);
         return static_cast<std::uint64_t>(accessor_count(document, use));
     };
+    // What is faulty here is left out when it is read, and told of then.
+    const auto check_if_whole = [&](int accessor, const std::string& what) {
+        try {
+            check(accessor, what);
+        } catch (const Error&) {
+        }
+    };
     const int position = primitive.attributes.at("POSITION");
     accessor_count(document, {position, name + ", POSITION", false, {}});
-    if (document.model.accessors[at(position)].bufferView < 0 &&
+    const tinygltf::Accessor& positions = document.model.accessors[at(position)];
+    if (positions.bufferView < 0 && !positions.sparse.isSparse &&
         primitive.extensions.contains("KHR_draco_mesh_compression"))
-        document.fail(name, ": its geometry is only there as KHR_draco_mesh_compression");
+        document.fail(name, ": its geometry is only there as KHR_draco_mesh_compression, which is not read");
     std::uint64_t visits = check(position, "POSITION");
     if (primitive.indices >= 0)
         visits = check(primitive.indices, "indices");
     for (const auto& [attribute_name, accessor] : primitive.attributes)
         if (is_read(attribute_name, request.needs))
-            check(accessor, attribute_name);
+            check_if_whole(accessor, attribute_name);
     std::uint64_t passes = 1;
     for (std::size_t target = 0; target < primitive.targets.size(); ++target) {
         if (target >= request.weights.size() || request.weights[target] == 0.0)
@@ -228,35 +193,63 @@ std::uint64_t check_request(const Document& document, const PrimitiveRequest& re
         ++passes;
         for (const auto& [attribute_name, accessor] : primitive.targets[target])
             if (is_read(attribute_name, request.needs))
-                check(accessor, text("target ", target, " ", attribute_name));
+                check_if_whole(accessor, text("target ", target, " ", attribute_name));
     }
     return visits * passes + sparse;
 }
 
-PrimitiveResult read_primitive(const Document& document, const PrimitiveRequest& request)
+namespace {
+
+void read(const Document& document, const PrimitiveRequest& request, Losses& losses, PrimitiveResult& result)
 {
     const tinygltf::Primitive& primitive = find_primitive(document, request.mesh, request.primitive);
     PrimitivePart part{primitive, primitive_name(request.mesh, request.primitive), {}};
-    const std::size_t vertices = accessor_count(document, *attribute(part, "POSITION"));
+    const std::size_t vertices = accessor_count(document, *find_attribute(part, "POSITION"));
 
-    PrimitiveResult result;
     Mesh& mesh = result.mesh;
     {
-        const std::vector<std::uint32_t> corners = corner_list(document, part, vertices);
-        result.notes.left_over_indices = connect(corners, primitive.mode, mesh);
+        const Corners corners = corner_list(document, part, vertices);
+        const UnusedCorners unused = connect(corners.list, corners.restart, primitive.mode, mesh);
+        result.notes.left_over_indices = unused.left_over;
+        result.notes.restarts = unused.restarts;
     }
     if (is_empty(mesh))
-        return result;
+        return;
     const std::vector<std::uint32_t> selection = choose_vertices(mesh, vertices);
     part.selection = selection;
-    read_attributes(document, part, request.needs, vertices, mesh);
-    result.notes.left_out_displacements = apply_morph_targets(document, part, request.weights, mesh);
-    if (!request.skin.empty() && has_skin_attributes(primitive)) {
-        apply_skin(document, part, request.skin, mesh);
-        result.in_world = true;
-    }
-    result.reach = check_positions(document, part, mesh);
+    read_attributes(document, part, request.needs, losses, mesh);
+    result.of_lines = has_lines(mesh);
+    result.unlit = result.of_lines && mesh.normals.empty();
+    result.notes.left_out_displacements = apply_morph_targets(document, part, request.weights, losses, mesh);
+    if (!request.skin.empty() && has_skin_attributes(primitive))
+        result.in_world =
+            losses.spare("drawn without the skin", [&] { apply_skin(document, part, request.skin, mesh); });
+    result.reach = check_positions(document, part, mesh, result.notes);
     complete(request.needs, mesh, result.notes);
+}
+
+} // namespace
+
+PrimitiveResult read_primitive(const Document& document, const PrimitiveRequest& request)
+{
+    PrimitiveResult result;
+    try {
+        Losses losses(document.file, result.faults);
+        read(document, request, losses, result);
+        return result;
+    } catch (const Error& error) {
+        PrimitiveResult lost = lost_primitive(error);
+        lost.of_lines = result.of_lines;
+        lost.unlit = result.unlit;
+        return lost;
+    }
+}
+
+PrimitiveResult lost_primitive(const Error& error)
+{
+    PrimitiveResult result;
+    result.is_lost = true;
+    result.loss = error.what();
     return result;
 }
 

@@ -1,52 +1,14 @@
 // The part of the glTF 2.0 schema that the loader relies on, as tables. [glTF 2.0, 5]
 #include "scene/gltf_json.h"
 
-#include "scene/gltf_message.h"
+#include "scene/gltf_checker.h"
 
 #include <nlohmann/json.hpp>
-
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <span>
 
 namespace lambent::scene {
 namespace {
 
 using nlohmann::json;
-
-enum class Kind {
-    flag,       ///< true or false
-    word,       ///< a string
-    words,      ///< strings
-    number,     ///< one number that fits a float
-    numbers,    ///< numbers, `length` of them (0: any number)
-    index,      ///< 0 .. 2^31 - 1
-    indices,    ///< indices, any number
-    index_map,  ///< object of indices
-    index_maps, ///< objects of indices
-    size,       ///< 0 .. 2^53
-    object,     ///< object of `shape`
-    objects,    ///< objects of `shape`
-};
-
-struct Property;
-
-struct Shape {
-    std::span<const Property> properties;
-};
-
-enum class Need { optional, required };
-
-struct Property {
-    const char* name;
-    Kind kind;
-    Need need = Need::optional;
-    std::size_t length = 0;
-    const Shape* shape = nullptr;
-    const char* element = nullptr; ///< of objects: what one is called in messages
-    std::size_t most = 0;          ///< of objects: how many are read
-};
 
 constexpr Property one(const char* name, Kind kind, Need need = Need::optional)
 {
@@ -243,176 +205,20 @@ constexpr Property root_properties[] = {nested("asset", asset, required),
                                         one("extensionsRequired", Kind::words)};
 constexpr Shape root{root_properties};
 
-// Where in the document: a chain of these on the stack, turned into words only for a message.
-struct Place {
-    const Place* outer = nullptr;
-    std::string_view name;
-    std::ptrdiff_t index = -1;
-};
-
-std::string describe(const Place& place)
-{
-    std::string words = place.outer ? describe(*place.outer) : std::string();
-    if (place.name.empty())
-        return words;
-    if (!words.empty())
-        words += ", ";
-    words += place.name;
-    return place.index < 0 ? words : text(words, " ", place.index);
-}
-
-class Checker {
-public:
-    explicit Checker(const std::string& file) : file_(file) {}
-
-    void check_object(json& object, const Shape& shape, const Place& place) const;
-
-private:
-    [[noreturn]] void fail(const Place& place, const std::string& reason) const
-    {
-        const std::string words = describe(place);
-        refuse(file_, ": ", words, words.empty() ? "" : ": ", reason);
-    }
-
-    void check_value(json& value, const Property& property, const Place& place) const;
-    void check_unsigned(json& value, double most, const Property& property, const Place& place) const;
-    void check_number(json& value, const Property& property, const Place& place) const;
-    void check_index_map(json& value, const Property& property, const Place& place) const;
-    json::array_t& array(json& value, const Property& property, const Place& place) const;
-
-    const std::string& file_;
-};
-
-const Property* find(const Shape& shape, std::string_view name)
-{
-    for (const Property& property : shape.properties)
-        if (name == property.name)
-            return &property;
-    return nullptr;
-}
-
-void Checker::check_object(json& object, const Shape& shape, const Place& place) const
-{
-    if (!object.is_object())
-        fail(place, "not an object");
-    for (auto member = object.begin(); member != object.end();) {
-        const Property* property = find(shape, member.key());
-        if (property == nullptr) {
-            member = object.erase(member);
-            continue;
-        }
-        check_value(member.value(), *property, place);
-        ++member;
-    }
-    for (const Property& property : shape.properties)
-        if (property.need == Need::required && !object.contains(property.name))
-            fail(place, text(property.name, " is missing"));
-}
-
-json::array_t& Checker::array(json& value, const Property& property, const Place& place) const
-{
-    if (!value.is_array())
-        fail(place, text(property.name, " is not an array"));
-    return value.get_ref<json::array_t&>();
-}
-
-void Checker::check_unsigned(json& value, double most, const Property& property, const Place& place) const
-{
-    // JSON knows no integers: 3.0 and 3e0 are 3. [JSON Schema, "integer"]
-    const double number = value.is_number() ? value.get<double>() : -1.0;
-    if (!(number >= 0.0 && number <= most) || number != std::floor(number))
-        fail(place,
-             text(property.name, " is not a whole number from 0 to ", static_cast<std::int64_t>(most)));
-    value = static_cast<std::uint64_t>(number);
-}
-
-void Checker::check_number(json& value, const Property& property, const Place& place) const
-{
-    if (!value.is_number())
-        fail(place, text(property.name, " is not a number"));
-    const double number = value.get<double>();
-    if (!(std::abs(number) <= static_cast<double>(std::numeric_limits<float>::max())))
-        fail(place, text(property.name, " is too large"));
-    value = number;
-}
-
-void Checker::check_index_map(json& value, const Property& property, const Place& place) const
-{
-    if (!value.is_object())
-        fail(place, text(property.name, " is not an object"));
-    for (auto& [name, index] : value.items()) {
-        const std::string shown = printable(name);
-        check_unsigned(index, std::numeric_limits<std::int32_t>::max(), one(shown.c_str(), Kind::index),
-                       place);
-    }
-}
-
-void Checker::check_value(json& value, const Property& property, const Place& place) const
-{
-    constexpr double most_index = std::numeric_limits<std::int32_t>::max();
-    constexpr double most_size = 9007199254740992.0;
-    switch (property.kind) {
-    case Kind::flag:
-        if (!value.is_boolean())
-            fail(place, text(property.name, " is not true or false"));
-        return;
-    case Kind::word:
-        if (!value.is_string())
-            fail(place, text(property.name, " is not a string"));
-        return;
-    case Kind::words:
-        for (const json& word : array(value, property, place))
-            if (!word.is_string())
-                fail(place, text(property.name, " holds something that is not a string"));
-        return;
-    case Kind::number:
-        return check_number(value, property, place);
-    case Kind::numbers:
-        for (json& number : array(value, property, place))
-            check_number(number, property, place);
-        if (property.length != 0 && value.size() != property.length)
-            fail(place, text(property.name, " has ", value.size(), " numbers, not ", property.length));
-        return;
-    case Kind::index:
-        return check_unsigned(value, most_index, property, place);
-    case Kind::indices:
-        for (json& index : array(value, property, place))
-            check_unsigned(index, most_index, property, place);
-        return;
-    case Kind::index_map:
-        return check_index_map(value, property, place);
-    case Kind::index_maps:
-        for (json& map : array(value, property, place))
-            check_index_map(map, property, place);
-        return;
-    case Kind::size:
-        return check_unsigned(value, most_size, property, place);
-    case Kind::object:
-        return check_object(value, *property.shape, {&place, property.name, -1});
-    case Kind::objects:
-        std::ptrdiff_t index = 0;
-        if (array(value, property, place).size() > property.most)
-            fail(place, text("more than ", property.most, " ", property.name));
-        for (json& object : array(value, property, place))
-            check_object(object, *property.shape, {&place, property.element, index++});
-        return;
-    }
-}
-
 } // namespace
 
 std::optional<std::size_t> top_level_limit(std::string_view name)
 {
     constexpr std::size_t most_words = 10'000;
-    const Property* property = find(root, name);
+    const Property* property = find_property(root, name);
     if (property == nullptr)
         return std::nullopt;
     return property->kind == Kind::objects ? property->most : most_words;
 }
 
-void check_schema(json& document, const std::string& file)
+std::string check_schema(json& document, const std::string& file, Losses& losses)
 {
-    Checker(file).check_object(document, root, {});
+    return check_shape(document, root, {file, losses});
 }
 
 } // namespace lambent::scene

@@ -4,23 +4,23 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 
 namespace lambent::scene {
 namespace {
 
-using Corners = std::vector<std::uint32_t>;
+using Corners = std::span<const std::uint32_t>;
 
-std::vector<glm::uvec3> separate_triangles(const Corners& corners)
+void add_separate_triangles(Corners corners, std::vector<glm::uvec3>& triangles)
 {
-    std::vector<glm::uvec3> triangles(corners.size() / 3);
-    if (!triangles.empty())
-        std::memcpy(triangles.data(), corners.data(), triangles.size() * sizeof(glm::uvec3));
-    return triangles;
+    const std::size_t before = triangles.size(), more = corners.size() / 3;
+    triangles.resize(before + more);
+    if (more != 0)
+        std::memcpy(triangles.data() + before, corners.data(), more * sizeof(glm::uvec3));
 }
 
-std::vector<glm::uvec3> joined_triangles(const Corners& corners, bool strip)
+void add_joined_triangles(Corners corners, bool strip, std::vector<glm::uvec3>& triangles)
 {
-    std::vector<glm::uvec3> triangles;
     for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
         const glm::uvec3 triangle =
             strip ? glm::uvec3(corners[i], corners[i + 1 + i % 2], corners[i + 2 - i % 2])
@@ -28,12 +28,10 @@ std::vector<glm::uvec3> joined_triangles(const Corners& corners, bool strip)
         if (triangle.x != triangle.y && triangle.y != triangle.z && triangle.z != triangle.x)
             triangles.push_back(triangle);
     }
-    return triangles;
 }
 
-std::vector<glm::uvec2> lines_of(const Corners& corners, int mode)
+void add_lines(Corners corners, int mode, std::vector<glm::uvec2>& lines)
 {
-    std::vector<glm::uvec2> lines;
     const auto add = [&](std::uint32_t from, std::uint32_t to) {
         if (from != to)
             lines.emplace_back(from, to);
@@ -44,7 +42,29 @@ std::vector<glm::uvec2> lines_of(const Corners& corners, int mode)
     // Of two corners the way back is the way there.
     if (mode == TINYGLTF_MODE_LINE_LOOP && corners.size() > 2)
         add(corners.back(), corners.front());
-    return lines;
+}
+
+// Returns how many are left over after the last whole triangle or line.
+std::size_t connect_run(Corners corners, int mode, Mesh& mesh)
+{
+    switch (mode) {
+    case TINYGLTF_MODE_POINTS:
+        mesh.points.insert(mesh.points.end(), corners.begin(), corners.end());
+        return 0;
+    case TINYGLTF_MODE_LINE:
+        add_lines(corners, mode, mesh.lines);
+        return corners.size() % 2;
+    case TINYGLTF_MODE_LINE_LOOP:
+    case TINYGLTF_MODE_LINE_STRIP:
+        add_lines(corners, mode, mesh.lines);
+        return corners.size() < 2 ? corners.size() : 0;
+    case TINYGLTF_MODE_TRIANGLES:
+        add_separate_triangles(corners, mesh.triangles);
+        return corners.size() % 3;
+    default:
+        add_joined_triangles(corners, mode == TINYGLTF_MODE_TRIANGLE_STRIP, mesh.triangles);
+        return corners.size() < 3 ? corners.size() : 0;
+    }
 }
 
 template <class Action>
@@ -62,26 +82,29 @@ void for_each_corner(Mesh& mesh, Action action)
 
 } // namespace
 
-std::size_t connect(const Corners& corners, int mode, Mesh& mesh)
+std::uint32_t restart_index(int component_type)
 {
-    switch (mode) {
-    case TINYGLTF_MODE_POINTS:
-        mesh.points = corners;
-        return 0;
-    case TINYGLTF_MODE_LINE:
-        mesh.lines = lines_of(corners, mode);
-        return corners.size() % 2;
-    case TINYGLTF_MODE_LINE_LOOP:
-    case TINYGLTF_MODE_LINE_STRIP:
-        mesh.lines = lines_of(corners, mode);
-        return corners.size() < 2 ? corners.size() : 0;
-    case TINYGLTF_MODE_TRIANGLES:
-        mesh.triangles = separate_triangles(corners);
-        return corners.size() % 3;
-    default:
-        mesh.triangles = joined_triangles(corners, mode == TINYGLTF_MODE_TRIANGLE_STRIP);
-        return corners.size() < 3 ? corners.size() : 0;
+    if (component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE)
+        return std::numeric_limits<std::uint8_t>::max();
+    if (component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT)
+        return std::numeric_limits<std::uint16_t>::max();
+    return std::numeric_limits<std::uint32_t>::max();
+}
+
+UnusedCorners connect(std::span<const std::uint32_t> corners, std::uint32_t restart, int mode, Mesh& mesh)
+{
+    UnusedCorners unused;
+    std::size_t left_over = 0;
+    for (auto begin = corners.begin();; ++begin) {
+        const auto end = std::find(begin, corners.end(), restart);
+        left_over += connect_run({begin, end}, mode, mesh);
+        if (end == corners.end())
+            break;
+        ++unused.restarts;
+        begin = end;
     }
+    unused.left_over = unused.restarts == 0 ? left_over : 0;
+    return unused;
 }
 
 std::vector<std::uint32_t> choose_vertices(Mesh& mesh, std::size_t vertices)
@@ -89,7 +112,7 @@ std::vector<std::uint32_t> choose_vertices(Mesh& mesh, std::size_t vertices)
     const std::size_t corners = 3 * mesh.triangles.size() + 2 * mesh.lines.size() + mesh.points.size();
     if (corners >= vertices)
         return {};
-    Corners used;
+    std::vector<std::uint32_t> used;
     used.reserve(corners);
     for_each_corner(mesh, [&](std::uint32_t corner) { used.push_back(corner); });
     std::sort(used.begin(), used.end());

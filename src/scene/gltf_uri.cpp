@@ -81,6 +81,28 @@ bool has_scheme(std::string_view uri)
                                                   "0123456789+-.") == std::string_view::npos;
 }
 
+// The folders that a reach allows: those named, else the glTF's own.
+std::vector<std::filesystem::path> folders_of(const UriBase& base)
+{
+    if (!base.reach.folders.empty() || !base.folder)
+        return base.reach.folders;
+    return {*base.folder};
+}
+
+std::filesystem::path normal(const std::filesystem::path& path)
+{
+    std::error_code error;
+    std::filesystem::path whole =
+        std::filesystem::absolute(path.empty() ? "." : path, error).lexically_normal();
+    return whole.has_filename() ? whole : whole.parent_path(); // "folder/" is "folder"
+}
+
+// Both paths absolute and normal.
+bool is_below(const std::filesystem::path& path, const std::filesystem::path& folder)
+{
+    return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
+}
+
 } // namespace
 
 bool is_data_uri(std::string_view uri)
@@ -96,7 +118,7 @@ std::vector<std::uint8_t> decode_data_uri(std::string_view uri, const std::strin
     return decode_base64(uri.substr(comma + 1), where);
 }
 
-std::filesystem::path relative_path(std::string_view uri, const std::string& where)
+std::filesystem::path path_beside(const UriBase& base, std::string_view uri, const std::string& where)
 {
     const std::string decoded = percent_decoded(uri);
     const std::string shown = printable(decoded);
@@ -104,19 +126,36 @@ std::filesystem::path relative_path(std::string_view uri, const std::string& whe
         refuse(where, ": \"", shown, "\" is not a relative path");
     if (decoded.empty() || decoded.find('\0') != std::string::npos)
         refuse(where, ": the uri is not a file name");
-    std::filesystem::path path = decoded;
+    const std::filesystem::path path = decoded;
     if (path.is_absolute())
-        refuse(where, ": \"", shown, "\" is an absolute path; only files beside the glTF are read");
-    int depth = 0;
-    for (const auto& part : path) {
-        if (part == "..")
-            --depth;
-        else if (part != "." && !part.empty())
-            ++depth;
-        if (depth < 0)
-            refuse(where, ": \"", shown, "\" leaves the folder of the glTF");
+        refuse(where, ": \"", shown, "\" is an absolute path; only relative ones are read");
+    if (!base.folder)
+        refuse(where, ": \"", shown, "\" is outside the file");
+    const std::filesystem::path found = *base.folder / path.lexically_normal();
+    if (base.reach.anywhere)
+        return found;
+    const std::filesystem::path whole = normal(found);
+    const std::vector<std::filesystem::path> folders = folders_of(base);
+    if (std::none_of(folders.begin(), folders.end(),
+                     [&](const auto& folder) { return is_below(whole, normal(folder)); }))
+        refuse(where, ": \"", shown, "\" leaves the folder",
+               base.reach.folders.empty() ? " of the glTF" : "s that may be read");
+    return found;
+}
+
+void check_links(const UriBase& base, const std::filesystem::path& path, const std::string& where)
+{
+    std::error_code error;
+    const std::filesystem::path real = std::filesystem::canonical(path, error);
+    if (base.reach.anywhere || error) // what is not there is found out by reading it
+        return;
+    for (const std::filesystem::path& folder : folders_of(base)) {
+        const std::filesystem::path real_folder = std::filesystem::canonical(normal(folder), error);
+        if (!error && is_below(real, real_folder))
+            return;
     }
-    return path;
+    refuse(where, ": \"", printable(path.string()), "\" is a link that leads out of the folder",
+           base.reach.folders.empty() ? " of the glTF" : "s that may be read");
 }
 
 } // namespace lambent::scene

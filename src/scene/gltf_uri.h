@@ -1,8 +1,11 @@
 // What a glTF `uri` leads to: bytes in the URI itself, or a file beside the .gltf.
 #pragma once
 
+#include "scene/gltf_bytes.h"
+
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,9 +19,17 @@ bool is_data_uri(std::string_view uri);
 /// encoding or a character outside the alphabet.
 std::vector<std::uint8_t> decode_data_uri(std::string_view uri, const std::string& where);
 
-/// The path, relative to the file's folder, that a URI names: percent-decoded, `\` taken for `/`.
-/// A glTF may only reach its own folder and those below: a scheme, an absolute path or a `..` that leaves the
-/// folder is an Error(bad_input) starting with `where`.
-std::filesystem::path relative_path(std::string_view uri, const std::string& where);
+/// Where a glTF's relative URIs start, and how far they may lead.
+struct UriBase {
+    std::optional<std::filesystem::path> folder; ///< of the file; none: there are no files beside it
+    Reach reach;
+};
+
+/// The path that a URI names: percent-decoded, `\` taken for `/`, "." and ".." worked out [RFC 3986, 5.2.4]. Throws
+/// Error(bad_input), starting with `where`, for a scheme, an absolute path, or a path that leaves the reach.
+std::filesystem::path path_beside(const UriBase& base, std::string_view uri, const std::string& where);
+
+/// Throws Error(bad_input) where links lead a path that is there out of the reach.
+void check_links(const UriBase& base, const std::filesystem::path& path, const std::string& where);
 
 } // namespace lambent::scene

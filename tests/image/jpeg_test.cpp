@@ -1,6 +1,7 @@
-// JPEG: one file made by hand, the rest by the TurboJPEG library.
+// JPEG: one file made by hand, the rest by the library.
 #include "image/jpeg.h"
 #include "tests/image/hostile.h"
+#include "tests/image/jpeg_files.h"
 
 #include <gtest/gtest.h>
 
@@ -12,65 +13,6 @@ namespace lambent::image {
 namespace {
 
 using namespace lambent::test;
-
-const Bytes start_of_image = {0xff, 0xd8};
-const Bytes end_of_image = {0xff, 0xd9};
-// One component, all of whose blocks are 0 (code), 1000 (the difference 8), 0 (end of block), and ones to
-// fill.
-const Bytes scan = {0xff, 0xda, 0, 8, 1, 1, 0, 0, 63, 0, 0b01000011};
-
-Bytes table_segments()
-{
-    Bytes quantisation = {0xff, 0xdb, 0, 67, 0};
-    quantisation.insert(quantisation.end(), 64, 8);
-    // A code of one bit each: difference of four bits; end of block.
-    Bytes dc = {0xff, 0xc4, 0, 20, 0x00, 1}, ac = {0xff, 0xc4, 0, 20, 0x10, 1};
-    dc.insert(dc.end(), 15, 0);
-    ac.insert(ac.end(), 15, 0);
-    dc.push_back(4);
-    ac.push_back(0);
-    return quantisation + dc + ac;
-}
-
-Bytes frame(int width, int height, std::uint8_t process = 0xc0, std::uint8_t bits = 8)
-{
-    const auto byte = [](int value) { return static_cast<std::uint8_t>(value & 255); };
-    return {0xff,        process, 0, 11,   bits, byte(height >> 8), byte(height), byte(width >> 8),
-            byte(width), 1,       1, 0x11, 0};
-}
-
-// 8x8 grey pixels of 128 + 8 * 8 / 8 (difference times quantisation over the transform's 8).
-Bytes tiny_jpeg()
-{
-    return start_of_image + table_segments() + frame(8, 8) + scan + end_of_image;
-}
-
-struct Encoding {
-    int format = TJPF_RGB;
-    int subsampling = TJSAMP_444;
-    int flags = 0;
-};
-
-// A smooth picture, by the library itself.
-Bytes encode(int width, int height, const Encoding& encoding)
-{
-    const int channels = tjPixelSize[encoding.format];
-    Bytes pixels;
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            for (int c = 0; c < channels; ++c)
-                pixels.push_back(static_cast<std::uint8_t>(40 + 2 * x + 3 * y + 20 * c));
-    tjhandle handle = tjInitCompress();
-    unsigned char* bytes = nullptr;
-    unsigned long length = 0;
-    EXPECT_EQ(tjCompress2(handle, pixels.data(), width, 0, height, encoding.format, &bytes, &length,
-                          encoding.subsampling, 90, encoding.flags),
-              0);
-    Bytes result(bytes, bytes + length);
-    tjFree(bytes);
-    tjDestroy(handle);
-    return result;
-}
 
 TEST(Jpeg, a_file_made_by_hand)
 {
@@ -97,6 +39,23 @@ TEST(Jpeg, colour_grey_progressive_and_subsampled)
                     const int code = image.bytes[static_cast<std::size_t>((y * 33 + x) * 4 + c)];
                     ASSERT_NEAR(code, expected, 8) << x << "," << y << "," << c;
                 }
+    }
+}
+
+TEST(Jpeg, every_subsampling_that_the_library_decodes)
+{
+    // Of the luminance, for each sample of colour: 444, 422, 440, 420, 411, 410, 441, and some without a name.
+    for (const Sampling& sampling :
+         {Sampling{1, 1}, Sampling{2, 1}, Sampling{1, 2}, Sampling{2, 2}, Sampling{4, 1}, Sampling{4, 2},
+          Sampling{1, 4}, Sampling{3, 1}, Sampling{3, 2}, Sampling{2, 4}}) {
+        const CodeImage image = decode_jpeg(encode_sampled(48, 40, sampling), "test.jpg");
+        ASSERT_EQ(image.bytes.size(), 48u * 40 * 4);
+        for (int y = 0; y < 40; ++y)
+            for (int x = 0; x < 48; ++x)
+                for (int c = 0; c < 3; ++c)
+                    ASSERT_NEAR(image.bytes[static_cast<std::size_t>((y * 48 + x) * 4 + c)], slope(x, y, c),
+                                14)
+                        << sampling.across << "x" << sampling.down << " at " << x << "," << y << "," << c;
     }
 }
 

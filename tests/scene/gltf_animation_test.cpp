@@ -351,94 +351,115 @@ TEST(GltfAnimation, WhatIsNotKnownIsLeftOut)
     expect_near(place(opened.at(3.0), 1), {7, 0, 0});
 }
 
-TEST(GltfAnimation, BrokenOnesAreRefused)
+TEST(GltfAnimation, BrokenChannelsAreLeftOut)
 {
     const auto broken = [](const std::function<void(GltfBuilder&, json&)>& damage) {
         GltfBuilder builder = moving_triangle();
         damage(builder, builder.document["animations"][0]);
-        return refusal(builder);
+        return complaint(builder);
     };
     const auto with_times = [&](const std::vector<float>& times) {
         return broken([&](GltfBuilder& b, json& a) { a["samplers"][0]["input"] = add_times(b, times); });
     };
-    EXPECT_EQ(with_times({1, 1}),
-              "test.gltf: animation 0, sampler 0: the time of key 1, 1 s, is not after the one before");
-    EXPECT_EQ(with_times({3, 1}),
-              "test.gltf: animation 0, sampler 0: the time of key 1, 1 s, is not after the one before");
-    EXPECT_EQ(with_times({0, std::nanf("")}),
-              "test.gltf: animation 0, sampler 0: the time of key 1 is not within 1e+09 s");
-    EXPECT_EQ(with_times({0, infinite}),
-              "test.gltf: animation 0, sampler 0: the time of key 1 is not within 1e+09 s");
-    EXPECT_EQ(with_times({0, 1, 2}),
-              "test.gltf: animation 0, sampler 0: 2 values for 3 keys, not 1 for each");
-    EXPECT_EQ(with_times({}), "test.gltf: animation 0, sampler 0: no keys");
-    EXPECT_EQ(broken([](GltfBuilder&, json& a) { a["samplers"][0]["interpolation"] = "CUBICSPLINE"; }),
-              "test.gltf: animation 0, sampler 0: 2 values for 2 keys, not 3 for each");
+    EXPECT_EQ(with_times({3, 1}), "test.gltf: animation 0, sampler 0: the time of key 1, 1 s, is before the "
+                                  "one before: the channel is left out");
+    EXPECT_EQ(with_times({0, std::nanf("")}), "test.gltf: animation 0, sampler 0: the time of key 1 is not "
+                                              "within 1e+09 s: the channel is left out");
+    EXPECT_EQ(with_times({0, infinite}), "test.gltf: animation 0, sampler 0: the time of key 1 is not within "
+                                         "1e+09 s: the channel is left out");
+    EXPECT_EQ(
+        with_times({0, 1, 2}),
+        "test.gltf: animation 0, sampler 0: 2 values for 3 keys, not 1 for each: the channel is left out");
+    EXPECT_EQ(with_times({}), "test.gltf: animation 0, sampler 0: no keys: the channel is left out");
+    EXPECT_EQ(
+        broken([](GltfBuilder&, json& a) { a["samplers"][0]["interpolation"] = "CUBICSPLINE"; }),
+        "test.gltf: animation 0, sampler 0: 2 values for 2 keys, not 3 for each: the channel is left out");
     EXPECT_EQ(broken([](GltfBuilder&, json& a) { a["samplers"][0]["interpolation"] = "EASE"; }),
-              "test.gltf: animation 0, sampler 0: interpolation \"EASE\" is not one of glTF");
-    EXPECT_EQ(broken([](GltfBuilder&, json& a) { a["samplers"][0]["output"] = 99; }),
-              "test.gltf: animation 0, sampler 0, output: accessor 99 does not exist");
-    EXPECT_EQ(broken([](GltfBuilder&, json& a) { a["samplers"][0]["input"] = 99; }),
-              "test.gltf: animation 0, sampler 0, input: accessor 99 does not exist");
+              "test.gltf: animation 0, sampler 0: interpolation \"EASE\" is not one of glTF: the channel is "
+              "left out");
+    EXPECT_EQ(
+        broken([](GltfBuilder&, json& a) { a["samplers"][0]["output"] = 99; }),
+        "test.gltf: animation 0, sampler 0, output: accessor 99 does not exist: the channel is left out");
+    EXPECT_EQ(
+        broken([](GltfBuilder&, json& a) { a["samplers"][0]["input"] = 99; }),
+        "test.gltf: animation 0, sampler 0, input: accessor 99 does not exist: the channel is left out");
     EXPECT_EQ(broken([](GltfBuilder&, json& a) { a["samplers"][0].erase("input"); }),
-              "test.gltf: animation 0, sampler 0: input is missing");
+              "test.gltf: animation 0, sampler 0: input is missing: left out");
     EXPECT_EQ(broken([](GltfBuilder&, json& a) { a["channels"][0]["sampler"] = 1; }),
-              "test.gltf: animation 0, channel 0: sampler 1 does not exist");
+              "test.gltf: animation 0, channel 0: sampler 1 does not exist: the channel is left out");
     EXPECT_EQ(broken([](GltfBuilder&, json& a) { a["channels"][0]["target"]["node"] = 1; }),
-              "test.gltf: animation 0, channel 0: node 1 does not exist");
+              "test.gltf: animation 0, channel 0: node 1 does not exist: the channel is left out");
     EXPECT_EQ(broken([](GltfBuilder&, json& a) { a["channels"][0].erase("target"); }),
-              "test.gltf: animation 0, channel 0: target is missing");
+              "test.gltf: animation 0, channel 0: target is missing: left out");
     EXPECT_EQ(broken([](GltfBuilder&, json& a) { a["channels"] = 3; }),
-              "test.gltf: animation 0: channels is not an array");
+              "test.gltf: animation 0: channels is not an array: ignored");
 }
 
-TEST(GltfAnimation, BrokenValuesAreRefused)
+TEST(GltfAnimation, TwoKeysAtOneTimeAreAJump)
+{
+    GltfBuilder builder = triangle();
+    animate(builder, 0, "translation", add_times(builder, {0, 1, 1, 2}),
+            builder.add_vec3({0, 0, 0, 1, 0, 0, 5, 0, 0, 6, 0, 0}));
+    const Opened opened(builder);
+    EXPECT_EQ(opened.warnings,
+              Warnings{"test.gltf: animation 0, sampler 0: 1 keys are at the same time as the "
+                       "one before: taken as jumps"});
+    expect_near(place(opened.at(0.5), 0), {0.5f, 0, 0});
+    expect_near(place(opened.at(1.0), 0), {5, 0, 0});
+    expect_near(place(opened.at(1.5), 0), {5.5f, 0, 0});
+}
+
+TEST(GltfAnimation, ChannelsOfBrokenValuesAreLeftOut)
 {
     const auto with = [](const char* path, const std::function<int(GltfBuilder&)>& output) {
         GltfBuilder builder = triangle();
         const int input = add_times(builder, {0, 1}), values = output(builder);
         animate(builder, 0, path, input, values);
-        return refusal(builder);
+        return complaint(builder);
     };
     EXPECT_EQ(with("translation",
                    [](GltfBuilder& b) {
                        return b.add_vec3({0, 0, 0, 0, infinite, 0});
                    }),
-              "test.gltf: animation 0, sampler 0: a value of key 1 is not finite");
-    EXPECT_EQ(with("rotation",
-                   [](GltfBuilder& b) {
-                       return b.add_vec4({0, 0, 0, 1, 0, 0, 0, 0});
-                   }),
-              "test.gltf: animation 0, sampler 0: the rotation of key 1 has no length");
+              "test.gltf: animation 0, sampler 0: a value of key 1 is not finite: the channel is left out");
+    EXPECT_EQ(
+        with("rotation",
+             [](GltfBuilder& b) {
+                 return b.add_vec4({0, 0, 0, 1, 0, 0, 0, 0});
+             }),
+        "test.gltf: animation 0, sampler 0: the rotation of key 1 has no length: the channel is left out");
     EXPECT_EQ(with("rotation",
                    [](GltfBuilder& b) {
                        return b.add_vec3({0, 0, 0, 1, 0, 0});
                    }),
-              "test.gltf: animation 0, sampler 0, output: accessor 2 is not VEC4");
+              "test.gltf: animation 0, sampler 0, output: accessor 2 is not VEC4: the channel is left out");
     EXPECT_EQ(with("scale",
                    [](GltfBuilder& b) {
                        return b.add<std::int8_t>("VEC3", i8, {1, 1, 1, 1, 1, 1}, true);
                    }),
-              "test.gltf: animation 0, sampler 0, output: accessor 2 has componentType 5120");
+              "test.gltf: animation 0, sampler 0, output: accessor 2 has componentType 5120: the channel is "
+              "left out");
     GltfBuilder builder = morphing_triangles();
     builder.document["animations"][0]["samplers"][0]["output"] = builder.add<float>("SCALAR", f32, {1, 0, 3});
-    EXPECT_EQ(refusal(builder), "test.gltf: animation 0, sampler 0: 3 values for 2 keys, not 2 for each");
+    EXPECT_EQ(
+        complaint(builder),
+        "test.gltf: animation 0, sampler 0: 3 values for 2 keys, not 2 for each: the channel is left out");
     // Times that are no floats.
     builder = moving_triangle();
     builder.document["animations"][0]["samplers"][0]["input"] = builder.add_indices({0, 1});
-    EXPECT_EQ(refusal(builder),
-              "test.gltf: animation 0, sampler 0, input: accessor 3 has componentType 5123");
+    EXPECT_EQ(complaint(builder), "test.gltf: animation 0, sampler 0, input: accessor 3 has componentType "
+                                  "5123: the channel is left out");
 }
 
-TEST(GltfAnimation, MoreThanIsThereIsRefused)
+TEST(GltfAnimation, MoreThanIsThereIsLeftOut)
 {
     GltfBuilder builder = moving_triangle();
     for (const char* accessor : {"1", "2"}) {
         GltfBuilder cut = builder;
         cut.document["accessors"][std::stoul(accessor)]["count"] = 4294967295u;
-        EXPECT_EQ(refusal(cut).find(std::string("test.gltf: accessor ") + accessor + ": 4294967295 elements"),
-                  0u)
-            << refusal(cut);
+        EXPECT_EQ(
+            complaint(cut).find(std::string("test.gltf: accessor ") + accessor + ": 4294967295 elements"), 0u)
+            << complaint(cut);
     }
     // A million zeros are no bytes: reading them again and again is work without an end.
     builder.document["accessors"].push_back({{"componentType", f32}, {"count", 300'000}, {"type", "VEC3"}});
@@ -447,12 +468,13 @@ TEST(GltfAnimation, MoreThanIsThereIsRefused)
         times[i] = static_cast<float>(i);
     json& animation = builder.document["animations"][0];
     animation["samplers"][0] = {{"input", add_times(builder, times)}, {"output", 3}};
-    EXPECT_EQ(refusal(builder), "");
+    EXPECT_EQ(complaint(builder), "");
     for (int i = 1; i < 20; ++i) {
         builder.add_node({{"mesh", 0}});
         animation["channels"].push_back({{"sampler", 0}, {"target", {{"node", i}, {"path", "translation"}}}});
     }
-    EXPECT_TRUE(contains(refusal(builder), "test.gltf: its animations read more than ")) << refusal(builder);
+    EXPECT_TRUE(contains(complaint(builder), "test.gltf: its animations read more than "))
+        << complaint(builder);
 }
 
 TEST(GltfAnimation, AMomentOutOfBoundsIsRefusedThen)

@@ -1,5 +1,6 @@
 #include "tests/scene/gltf_builder.h"
 
+#include "base/text.h"
 #include "scene/gltf_bytes.h"
 
 #include <algorithm>
@@ -145,6 +146,24 @@ Scene load(const Bytes& bytes, Warnings* warnings, const std::filesystem::path& 
 Scene load(const GltfBuilder& builder, Warnings* warnings)
 {
     return load(builder.glb(), warnings);
+}
+
+std::string complaint(const Bytes& bytes)
+{
+    Warnings warnings;
+    try {
+        load(bytes, &warnings);
+    } catch (const Error& error) {
+        return text("refused: ", error.what());
+    }
+    if (warnings.size() > 1)
+        return text(warnings.size(), " warnings: ", warnings[0], "; ", warnings[1]);
+    return warnings.empty() ? std::string() : warnings.front();
+}
+
+std::string complaint(const GltfBuilder& builder)
+{
+    return complaint(builder.glb());
 }
 
 std::string refusal(const Bytes& bytes)

@@ -93,6 +93,10 @@ GltfBuilder triangle();
 Scene load(const Bytes& bytes, Warnings* warnings = nullptr, const std::filesystem::path& folder = {});
 Scene load(const GltfBuilder& builder, Warnings* warnings = nullptr);
 
+/// The one warning of loading, which succeeds; empty when there is none.
+std::string complaint(const Bytes& bytes);
+std::string complaint(const GltfBuilder& builder);
+
 /// The message of the Error(bad_input) that loading throws; empty when it throws none.
 std::string refusal(const Bytes& bytes);
 std::string refusal(const GltfBuilder& builder);

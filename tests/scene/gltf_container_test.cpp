@@ -61,7 +61,7 @@ TEST(GltfContainer, VersionAndLengthsAreChecked)
 {
     Bytes version = triangle().glb();
     set_u32(version, 4, 1);
-    EXPECT_EQ(refusal(version), "test.gltf: GLB: version 1 is not 2");
+    EXPECT_EQ(refusal(version), "test.gltf: glTF 1.0 is not read, only 2.0");
 
     Bytes longer = triangle().glb();
     set_u32(longer, 8, static_cast<std::uint32_t>(longer.size() + 1));
@@ -111,42 +111,44 @@ TEST(GltfJson, VersionsOtherThanTwoAreRefused)
     EXPECT_EQ(refusal(to_bytes("{}")), "test.gltf: asset is missing");
     EXPECT_EQ(refusal(to_bytes(R"({"asset":{}})")), "test.gltf: asset: version is missing");
     EXPECT_EQ(refusal(to_bytes(R"({"asset":{"version":"1.0"}})")),
-              "test.gltf: glTF version 1.0 is not read, only 2.0");
+              "test.gltf: glTF 1.0 is not read, only 2.0");
     EXPECT_EQ(refusal(to_bytes(R"({"asset":{"version":"2.1","minVersion":"2.1"}})")),
               "test.gltf: needs glTF 2.1, only 2.0 is read");
     EXPECT_EQ(refusal(to_bytes(R"({"asset":{"version":"2.1"}})")), "");
 }
 
-TEST(GltfJson, WrongTypesAreNamedByElement)
+TEST(GltfJson, WhatIsOfAWrongTypeIsNamedByElementAndLeftOut)
 {
     const auto with = [](const char* array, const json& element) {
         GltfBuilder builder = triangle();
         builder.document[array].push_back(element);
-        return refusal(builder);
+        return complaint(builder);
     };
     EXPECT_EQ(with("nodes", {{"mesh", -1}}),
-              "test.gltf: node 1: mesh is not a whole number from 0 to 2147483647");
+              "test.gltf: node 1: mesh is not a whole number from 0 to 2147483647: ignored");
     EXPECT_EQ(with("nodes", {{"mesh", 4294967296}}),
-              "test.gltf: node 1: mesh is not a whole number from 0 to 2147483647");
+              "test.gltf: node 1: mesh is not a whole number from 0 to 2147483647: ignored");
     EXPECT_EQ(with("nodes", {{"mesh", 0.5}}),
-              "test.gltf: node 1: mesh is not a whole number from 0 to 2147483647");
+              "test.gltf: node 1: mesh is not a whole number from 0 to 2147483647: ignored");
     EXPECT_EQ(with("nodes", {{"mesh", "0"}}),
-              "test.gltf: node 1: mesh is not a whole number from 0 to 2147483647");
-    EXPECT_EQ(with("nodes", {{"children", {0, "x"}}}),
-              "test.gltf: node 1: children is not a whole number from 0 to 2147483647");
-    EXPECT_EQ(with("nodes", {{"matrix", {1, 2, 3}}}), "test.gltf: node 1: matrix has 3 numbers, not 16");
-    EXPECT_EQ(with("nodes", {{"scale", {1, 1, 1e300}}}), "test.gltf: node 1: scale is too large");
-    EXPECT_EQ(with("nodes", {{"scale", {1, 1, nullptr}}}), "test.gltf: node 1: scale is not a number");
-    EXPECT_EQ(with("nodes", 7), "test.gltf: node 1: not an object");
+              "test.gltf: node 1: mesh is not a whole number from 0 to 2147483647: ignored");
+    EXPECT_EQ(with("nodes", {{"children", {"x"}}}),
+              "test.gltf: node 1: children is not a whole number from 0 to 2147483647: ignored");
+    EXPECT_EQ(with("nodes", {{"matrix", {1, 2, 3}}}),
+              "test.gltf: node 1: matrix has 3 numbers, not 16: ignored");
+    EXPECT_EQ(with("nodes", {{"scale", {1, 1, 1e300}}}), "test.gltf: node 1: scale is too large: ignored");
+    EXPECT_EQ(with("nodes", {{"scale", {1, 1, nullptr}}}),
+              "test.gltf: node 1: scale is not a number: ignored");
+    EXPECT_EQ(with("nodes", 7), "test.gltf: node 1: not an object: left out");
     EXPECT_EQ(with("accessors", {{"count", 1}, {"type", "VEC3"}}),
-              "test.gltf: accessor 1: componentType is missing");
+              "test.gltf: accessor 1: componentType is missing: left out");
     EXPECT_EQ(with("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", json::object()}}}}),
-              "test.gltf: material 0, pbrMetallicRoughness, baseColorTexture: index is missing");
+              "test.gltf: material 0, pbrMetallicRoughness, baseColorTexture: index is missing: ignored");
     EXPECT_EQ(with("materials", {{"doubleSided", 1}}),
-              "test.gltf: material 0: doubleSided is not true or false");
+              "test.gltf: material 0: doubleSided is not true or false: ignored");
     EXPECT_EQ(with("meshes", {{"primitives", {{{"attributes", {{"POSITION", "a"}}}}}}}),
-              "test.gltf: mesh 1, primitive 0: POSITION is not a whole number from 0 to 2147483647");
-    EXPECT_EQ(with("meshes", {{"primitives", 3}}), "test.gltf: mesh 1: primitives is not an array");
+              "test.gltf: mesh 1, primitive 0: POSITION is not a whole number from 0 to 2147483647: ignored");
+    EXPECT_EQ(with("meshes", {{"primitives", 3}}), "test.gltf: mesh 1: primitives is not an array: ignored");
 }
 
 TEST(GltfJson, WholeNumbersMayBeWrittenAsFractions)
@@ -195,11 +197,12 @@ TEST(GltfExtensions, UsedOnesThatAreNotSupportedAreWarnedOfOnce)
     EXPECT_EQ(warnings, Warnings{"test.gltf: extensions ignored: KHR_materials_iridescence, VENDOR_x"});
 }
 
-TEST(GltfBuffers, ABufferShorterThanItSaysIsRefused)
+TEST(GltfBuffers, ABufferShorterThanItSaysIsUsedAsFarAsItGoes)
 {
     GltfBuilder builder = triangle();
     builder.document["buffers"] = {{{"byteLength", 40}}};
-    EXPECT_EQ(refusal(builder.glb()), "test.gltf: buffer 0: 40 bytes declared, 36 are there");
+    EXPECT_EQ(complaint(builder.glb()),
+              "test.gltf: buffer 0: 40 bytes declared, 36 are there: used as far as they go");
     builder.document["buffers"] = {{{"byteLength", 36}, {"uri", "data:;base64,AAAA"}}};
     EXPECT_EQ(refusal(builder.gltf()), "test.gltf: buffer 0: 36 bytes declared, 3 are there");
 }

@@ -151,6 +151,17 @@ TEST(GltfHostile, ManySmallObjectsTakeTimeInProportion)
     EXPECT_EQ(refusal(to_bytes(text + ",{}]}")), "test.gltf: JSON: more than 200000 nodes");
 }
 
+TEST(GltfHostile, TooManyBrokenElementsAreRefused)
+{
+    // What stands for one is far larger than what is in the file.
+    std::string text = R"({"asset":{"version":"2.0"},"accessors":[7)";
+    for (int i = 1; i < 10'000; ++i)
+        text += ",7";
+    EXPECT_EQ(refusal(to_bytes(text + "]}")), "test.gltf: accessor 0: not an object");
+    EXPECT_EQ(refusal(to_bytes(text + ",7]}")),
+              "test.gltf: accessor 10000: not an object (as are more than 10000 elements)");
+}
+
 TEST(GltfHostile, TooManyJsonValuesAreRefused)
 {
     std::string text = R"({"asset":{"version":"2.0"},"nodes":[0)";

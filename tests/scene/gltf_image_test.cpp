@@ -87,14 +87,11 @@ TEST(GltfImage, FilesBesideTheGltfAreFoundPngAndJpeg)
     EXPECT_EQ(jpeg.width, 8);
     EXPECT_NEAR(jpeg.bytes[0], 128, 1);
     EXPECT_EQ(jpeg.bytes[3], 255);
-    std::string message;
-    try {
-        load_gltf(folder / "missing.gltf", warnings);
-    } catch (const Error& error) {
-        message = error.what();
-    }
-    EXPECT_TRUE(contains(message, "missing.gltf: image 0: ")) << message;
-    EXPECT_TRUE(contains(message, "no.png: No such file")) << message;
+    EXPECT_TRUE(warnings.empty());
+    EXPECT_TRUE(load_gltf(folder / "missing.gltf", warnings).images.empty());
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_TRUE(contains(warnings[0], "missing.gltf: image 0: ")) << warnings[0];
+    EXPECT_TRUE(contains(warnings[0], "no.png: No such file")) << warnings[0];
     fs::remove_all(folder);
 }
 
@@ -124,25 +121,69 @@ TEST(GltfImage, TheSameBytesAreDecodedOnce)
     EXPECT_EQ(scene.materials[0].base_color_texture.image, 0);
 }
 
-TEST(GltfImage, BrokenPicturesAreNamed)
+TEST(GltfImage, BrokenPicturesAreNamedAndLeftOut)
 {
+    const auto complaint_of = [](const GltfBuilder& builder) {
+        const Scene scene = load(builder);
+        EXPECT_EQ(scene.instances.size(), 1u);
+        EXPECT_TRUE(scene.images.empty());
+        EXPECT_EQ(scene.materials.at(0).base_color_texture.image, -1);
+        return complaint(builder);
+    };
     const GltfBuilder no_picture = textured([](GltfBuilder& b) {
         return json{{"name", "wood"}, {"bufferView", b.add_view(to_bytes("RIFFxxxxWEBP"))}};
     });
-    EXPECT_EQ(refusal(no_picture), "test.gltf: image 0 (wood): neither PNG nor JPEG");
+    EXPECT_EQ(complaint_of(no_picture),
+              "test.gltf: image 0 (wood): neither PNG nor JPEG: the texture is left out");
     Bytes cut = make_png(two_pixels);
-    cut.resize(cut.size() - 20);
+    cut.resize(cut.size() - 30); // into the pixels
     const GltfBuilder truncated = textured([&](GltfBuilder& b) {
         return json{{"name", "wood"}, {"bufferView", b.add_view(cut)}};
     });
-    EXPECT_TRUE(contains(refusal(truncated), "test.gltf: image 0 (wood)")) << refusal(truncated);
+    EXPECT_TRUE(contains(complaint_of(truncated), "test.gltf: image 0 (wood): not a valid PNG: "));
     const GltfBuilder empty = textured([](GltfBuilder&) { return json{{"uri", "data:image/png;base64,"}}; });
-    EXPECT_EQ(refusal(empty), "test.gltf: image 0: neither PNG nor JPEG");
+    EXPECT_EQ(complaint_of(empty), "test.gltf: image 0: neither PNG nor JPEG: the texture is left out");
+    const GltfBuilder no_base64 = textured([](GltfBuilder&) { return json{{"uri", "data:,x"}}; });
+    EXPECT_EQ(complaint_of(no_base64),
+              "test.gltf: image 0: a data URI must be base64: the texture is left out");
+    const GltfBuilder no_object = textured([](GltfBuilder&) { return json(7); });
+    EXPECT_EQ(complaint_of(no_object), "test.gltf: image 0: not an object: left out");
+    const GltfBuilder outside = textured([](GltfBuilder&) { return json{{"uri", "../a.png"}}; });
+    EXPECT_EQ(complaint_of(outside),
+              "test.gltf: image 0: \"../a.png\" is outside the file: the texture is left out");
 }
 
-TEST(GltfImage, MorePixelsThanReasonableAreRefusedBeforeTheyAreDecoded)
+TEST(GltfImage, OtherImagesKeepTheirPlacesWhenOneIsLeftOut)
 {
-    // Five headers of 16384 x 16384 pixels, without any data behind them.
+    GltfBuilder builder = textured([](GltfBuilder& b) {
+        return json{{"bufferView", b.add_view(to_bytes("no picture"))}};
+    });
+    builder.add_to("images", {{"bufferView", builder.add_view(make_png(two_pixels))}});
+    builder.add_to("textures", {{"source", 1}});
+    builder.document["materials"][0]["emissiveTexture"] = {{"index", 1}};
+    builder.document["materials"][0]["normalTexture"] = {{"index", 0}};
+    const Scene scene = load(builder);
+    ASSERT_EQ(scene.images.size(), 1u);
+    EXPECT_EQ(scene.images[0].bytes[0], 10);
+    EXPECT_EQ(scene.materials[0].emissive_texture.image, 0);
+    EXPECT_EQ(scene.materials[0].base_color_texture.image, -1);
+    EXPECT_EQ(scene.materials[0].normal_texture.image, -1);
+}
+
+TEST(GltfImage, ADamagedPictureIsShownWithAWarning)
+{
+    Bytes open = make_png(two_pixels);
+    open.resize(open.size() - 12); // without its end mark
+    const GltfBuilder builder = textured([&](GltfBuilder& b) {
+        return json{{"bufferView", b.add_view(open)}};
+    });
+    EXPECT_EQ(load(builder).images.at(0).bytes, (Bytes{10, 20, 30, 40, 50, 60, 70, 80}));
+    EXPECT_TRUE(contains(complaint(builder), "test.gltf: image 0: not a valid PNG: ")) << complaint(builder);
+}
+
+TEST(GltfImage, MorePixelsThanReasonableAreLeftOutBeforeTheyAreDecoded)
+{
+    // Five headers of 16384 x 16384 pixels, without any data behind them: the fifth is one too many.
     GltfBuilder builder = textured([](GltfBuilder&) { return json::object(); });
     builder.document["images"] = json::array();
     builder.document["textures"] = json::array();
@@ -155,8 +196,12 @@ TEST(GltfImage, MorePixelsThanReasonableAreRefusedBeforeTheyAreDecoded)
     material["normalTexture"] = {{"index", 2}};
     material["occlusionTexture"] = {{"index", 3}};
     material["emissiveTexture"] = {{"index", 4}};
-    EXPECT_EQ(refusal(builder),
-              "test.gltf: its images have 1342177280 pixels together, at most 1073741824 are read");
+    Warnings warnings;
+    EXPECT_TRUE(load(builder, &warnings).images.empty());
+    EXPECT_TRUE(warned_once(warnings, "image 4: 268435456 pixels, with those before it more than 1073741824: "
+                                      "the texture is left out"));
+    EXPECT_TRUE(warned_once(warnings, "image 0: a file of ")) << "cannot hold its pixels";
+    EXPECT_EQ(warnings.size(), 2u) << "the first four in one line";
 }
 
 } // namespace

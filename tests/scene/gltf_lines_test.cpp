@@ -1,7 +1,11 @@
 // Points and lines: what the seven modes make, their materials, and what is done to them as to triangles.
+#include "scene/gltf.h"
+#include "scene/gltf_bytes.h"
 #include "tests/scene/gltf_builder.h"
 
 #include <gtest/gtest.h>
+
+#include <limits>
 
 namespace lambent::scene::test {
 namespace {
@@ -49,6 +53,98 @@ TEST(GltfLines, IndicesMayRepeatTurnBackAndLeaveVerticesOut)
     EXPECT_EQ(load(builder).meshes.at(0).points, (Points{1, 1, 0}));
     primitive["indices"] = builder.add_indices({5});
     EXPECT_TRUE(contains(refusal(builder), "index 5 is past its 5 vertices"));
+}
+
+// 65535 is no vertex: lists and strips end there, a loop closes, and of points it is none. [OpenGL 4.6, 10.3.6]
+TEST(GltfLines, RestartsEndThem)
+{
+    const auto with = [](int mode) {
+        GltfBuilder builder = five_vertices(mode);
+        builder.document["meshes"][0]["primitives"][0]["indices"] =
+            builder.add_indices({0, 1, 2, 65535, 65535, 3, 4, 0});
+        return builder;
+    };
+    EXPECT_EQ(load(with(0)).meshes.at(0).points, (Points{0, 1, 2, 3, 4, 0}));
+    EXPECT_EQ(load(with(1)).meshes.at(0).positions.size(), 4u) << "vertex 2 has no partner, nor the last one";
+    EXPECT_EQ(load(with(1)).meshes.at(0).lines, (Lines{{0, 1}, {2, 3}}));
+    EXPECT_EQ(load(with(2)).meshes.at(0).lines, (Lines{{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 0}, {0, 3}}));
+    EXPECT_EQ(load(with(3)).meshes.at(0).lines, (Lines{{0, 1}, {1, 2}, {3, 4}, {4, 0}}));
+    for (const int mode : {0, 1, 2, 3})
+        EXPECT_EQ(complaint(with(mode)),
+                  "test.gltf: 2 indices are the largest number of their type, which is no vertex: "
+                  "triangles and lines end there");
+}
+
+TEST(GltfLines, BrokenPositionsCostWhatTouchesThem)
+{
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+    const auto with = [](int mode, std::vector<std::uint16_t> indices) {
+        GltfBuilder builder;
+        const int positions = builder.add_vec3({0, nan, 0, 1, 0, 0, 2, 0, 0});
+        builder.add_primitive({{"attributes", {{"POSITION", positions}}}, {"mode", mode}});
+        builder.document["meshes"][0]["primitives"][0]["indices"] = builder.add_indices(indices);
+        return builder;
+    };
+    EXPECT_EQ(load(with(3, {0, 1, 2})).meshes.at(0).lines, (Lines{{1, 2}}));
+    EXPECT_EQ(load(with(0, {2, 0, 1})).meshes.at(0).points, (Points{2, 1}));
+    EXPECT_EQ(bounds(load(with(0, {2, 0, 1}))).low, glm::vec3(1, 0, 0));
+    EXPECT_EQ(complaint(with(0, {2, 0, 1})),
+              "test.gltf: 1 triangles, lines or points with positions that are not finite left out");
+    EXPECT_EQ(refusal(with(3, {0, 1})),
+              "test.gltf: mesh 0, primitive 0: the position of vertex 0 is not finite");
+}
+
+// Nothing but lines is something to draw, whatever else is lost.
+TEST(GltfLines, BrokenPartsCostThemselves)
+{
+    GltfBuilder builder = five_vertices(3);
+    json& primitives = builder.document["meshes"][0]["primitives"];
+    primitives[0]["attributes"]["NORMAL"] = builder.add_vec2({0, 0, 0, 0, 0, 0, 0, 0, 0, 0});
+    primitives.push_back({{"attributes", {{"POSITION", 0}}}, {"mode", 0}});
+    primitives[1]["indices"] = builder.add_indices({9});
+    Warnings warnings;
+    const Scene scene = load(builder, &warnings);
+    ASSERT_EQ(scene.meshes.size(), 1u);
+    EXPECT_TRUE(scene.materials.at(static_cast<std::size_t>(scene.meshes[0].material)).unlit);
+    EXPECT_TRUE(warned_once(warnings, "mesh 0, primitive 0, NORMAL: accessor 1 is not VEC3: left out"));
+    EXPECT_TRUE(
+        warned_once(warnings, "primitive 1: index 9 is past its 5 vertices: the primitive is left out"));
+    EXPECT_EQ(warnings.size(), 2u);
+}
+
+// A joint takes them beyond what floats hold: there, the mesh is empty, and the materials are the same ones.
+TEST(GltfLines, EveryMomentHasTheSameMeshesAndMaterials)
+{
+    GltfBuilder builder = triangle();
+    const int joints = builder.add<std::uint8_t>("VEC4", u8, std::vector<std::uint8_t>(8, 0)),
+              weights = builder.add_vec4({1, 0, 0, 0, 1, 0, 0, 0}),
+              positions = builder.add_vec3({1, 0, 0, 2, 0, 0});
+    builder.add_primitive(
+        {{"attributes", {{"POSITION", positions}, {"JOINTS_0", joints}, {"WEIGHTS_0", weights}}},
+         {"mode", 1}});
+    builder.document["nodes"].back()["skin"] = 0;
+    const int joint = builder.add_node({{"scale", {1, 1, 1}}});
+    builder.document["skins"] = json::array({{{"joints", {joint}}}});
+    const int times = builder.add("SCALAR", f32, std::vector<float>{0, 1}),
+              places = builder.add_vec3({0, 0, 0, 3e38f, 0, 0}),
+              sizes = builder.add_vec3({1, 1, 1, 3e38f, 3e38f, 3e38f});
+    const auto channel = [&](int sampler, const char* path) {
+        return json{{"sampler", sampler}, {"target", {{"node", joint}, {"path", path}}}};
+    };
+    builder.document["animations"] = json::array(
+        {{{"channels", {channel(0, "translation"), channel(1, "scale")}},
+          {"samplers", {{{"input", times}, {"output", places}}, {{"input", times}, {"output", sizes}}}}}});
+    const Bytes bytes = builder.glb();
+    Warnings warnings;
+    const GltfFile file({"test.gltf", bytes, std::nullopt, {}}, warnings);
+    const Scene rest = file.scene(std::nullopt, warnings), away = file.pose({0, 1.0});
+    EXPECT_TRUE(has_lines(rest));
+    EXPECT_FALSE(has_lines(away));
+    ASSERT_EQ(away.meshes.size(), rest.meshes.size());
+    EXPECT_EQ(away.materials.size(), rest.materials.size());
+    for (std::size_t i = 0; i < rest.meshes.size(); ++i)
+        EXPECT_EQ(away.meshes[i].material, rest.meshes[i].material);
+    EXPECT_EQ(away.instances.size(), rest.instances.size());
 }
 
 TEST(GltfLines, AreCountedAndBounded)

@@ -197,9 +197,9 @@ TEST(GltfTextureTransform, TexCoordIsOverriddenAndDefaultsStay)
     const TextureUse use = read(with_transform(json::object())).emissive_texture;
     EXPECT_EQ(use.texcoord, 0);
     EXPECT_EQ(use.transform, glm::mat3(1.0f));
-    EXPECT_EQ(refusal(with_transform({{"offset", {1}}})),
+    EXPECT_EQ(complaint(with_transform({{"offset", {1}}})),
               "test.gltf: material 0, emissiveTexture, extensions, KHR_texture_transform: offset has 1 "
-              "numbers, not 2");
+              "numbers, not 2: ignored");
 }
 
 TEST(GltfMaterial, FactorsOutsideTheirRangeAreClampedWithAWarning)
@@ -233,37 +233,37 @@ TEST(GltfMaterial, TexturesWithoutTheirCoordinatesAreWarnedOf)
     EXPECT_TRUE(warned_once(warnings, "1 primitives have textures but not the texture coordinates"));
 }
 
-TEST(GltfMaterial, WhatDoesNotExistIsNamed)
+TEST(GltfMaterial, WhatDoesNotExistIsNamedAndLeftOut)
 {
     const auto broken = [](const std::function<void(json&)>& damage) {
         GltfBuilder builder = with_material({{"emissiveTexture", {{"index", 0}}}}, 1);
         damage(builder.document);
-        return refusal(builder);
+        return complaint(builder);
     };
     EXPECT_EQ(broken([](json& d) { d["meshes"][0]["primitives"][0]["material"] = 5; }),
-              "test.gltf: material 5 does not exist");
+              "test.gltf: material 5 does not exist: the default is used");
     EXPECT_EQ(broken([](json& d) { d["materials"][0]["emissiveTexture"]["index"] = 1; }),
-              "test.gltf: material 0, emissiveTexture: texture 1 does not exist");
+              "test.gltf: material 0, emissiveTexture: texture 1 does not exist: the texture is left out");
     EXPECT_EQ(broken([](json& d) { d["textures"][0]["source"] = 1; }),
-              "test.gltf: texture 0: image 1 does not exist");
+              "test.gltf: texture 0: image 1 does not exist: the texture is left out");
     EXPECT_EQ(broken([](json& d) { d["textures"][0]["sampler"] = 0; }),
-              "test.gltf: sampler 0 does not exist");
+              "test.gltf: material 0: sampler 0 does not exist: repeating and smooth");
     EXPECT_EQ(broken([](json& d) { d["images"][0]["bufferView"] = 55; }),
-              "test.gltf: image 0: bufferView 55 does not exist");
+              "test.gltf: image 0: bufferView 55 does not exist: the texture is left out");
     EXPECT_EQ(broken([](json& d) { d["images"][0] = json::object(); }),
-              "test.gltf: image 0: needs either a uri or a bufferView");
+              "test.gltf: image 0: needs either a uri or a bufferView: the texture is left out");
     EXPECT_EQ(broken([](json& d) { d["materials"][0]["alphaMode"] = "GLASS"; }),
-              "test.gltf: material 0: alphaMode \"GLASS\" is not one of glTF");
+              "test.gltf: material 0: alphaMode \"GLASS\" is not one of glTF: OPAQUE is used");
     EXPECT_EQ(broken([](json& d) {
                   d["textures"][0]["sampler"] = 0;
                   d["samplers"] = {{{"wrapS", 1}}};
               }),
-              "test.gltf: sampler 0: wrap mode 1 is not one of glTF");
+              "test.gltf: sampler 0: wrap mode 1 is not one of glTF: it repeats");
     EXPECT_EQ(broken([](json& d) {
                   d["textures"][0]["sampler"] = 0;
                   d["samplers"] = {{{"magFilter", 9987}}};
               }),
-              "test.gltf: sampler 0: magFilter 9987 is not one of glTF");
+              "test.gltf: sampler 0: magFilter 9987 is not one of glTF: it is smooth");
 }
 
 TEST(GltfMaterial, OnlyThoseDrawnAreKept)

@@ -85,7 +85,8 @@ TEST(GltfNodes, TheDefaultSceneIsDrawnElseTheFirstElseAllRoots)
     builder.document["scene"] = 1;
     EXPECT_EQ(positions(), (std::vector<float>{2, 0}));
     builder.document["scene"] = 2;
-    EXPECT_EQ(refusal(builder), "test.gltf: scene 2 does not exist");
+    EXPECT_EQ(complaint(builder), "test.gltf: scene 2 does not exist: ignored");
+    EXPECT_EQ(positions(), std::vector<float>{1}) << "the first";
     builder.document.erase("scene");
     builder.document.erase("scenes");
     EXPECT_EQ(positions(), (std::vector<float>{0, 1, 2}));
@@ -93,29 +94,71 @@ TEST(GltfNodes, TheDefaultSceneIsDrawnElseTheFirstElseAllRoots)
     EXPECT_TRUE(positions().empty());
 }
 
-TEST(GltfNodes, ForestsOnly)
+TEST(GltfNodes, LinksThatMakeNoForestAreLeftOut)
+{
+    const json shown = {{"mesh", 0}};
+    const auto complaint_of = [](const json& nodes, const json& roots, std::size_t instances) {
+        const GltfBuilder builder = with_nodes(nodes, roots);
+        EXPECT_EQ(load(builder).instances.size(), instances);
+        return complaint(builder);
+    };
+    EXPECT_EQ(complaint_of(json::array({{{"mesh", 0}, {"children", {5}}}}), {0}, 1),
+              "test.gltf: node 0: child 5 does not exist: left out");
+    EXPECT_EQ(complaint_of({{{"children", {2}}}, {{"children", {2}}}, shown}, {0, 1}, 1),
+              "test.gltf: node 2 has two parents, 0 and 1: the first counts");
+    EXPECT_EQ(complaint_of({{{"children", {1, 1}}}, shown}, {0}, 1),
+              "test.gltf: node 1 has two parents, 0 and 0: the first counts");
+    EXPECT_EQ(complaint_of(json::array({{{"mesh", 0}, {"children", {0}}}}), {0}, 1),
+              "test.gltf: node 0 is its own ancestor: cut off from its parent");
+    EXPECT_EQ(complaint_of({shown, shown}, {0, 1, 0}, 2),
+              "test.gltf: scene 0: node 0 is listed twice: drawn once");
+    EXPECT_EQ(complaint_of(json::array({shown}), {0, 3}, 1),
+              "test.gltf: scene 0: node 3 does not exist: left out");
+    EXPECT_EQ(complaint_of({shown, {{"mesh", 3}}}, {0, 1}, 1),
+              "test.gltf: node 1: mesh 3 does not exist: left out");
+    EXPECT_EQ(complaint_of({{{"mesh", 0}, {"children", {-1, 1}}}, shown}, {0}, 2),
+              "test.gltf: node 0: children is not a whole number from 0 to 2147483647: ignored");
+    EXPECT_EQ(complaint_of({shown, 7}, {0, 1}, 1), "test.gltf: node 1: not an object: left out");
+}
+
+TEST(GltfNodes, ACycleLosesOneLinkAndIsDrawnFromThere)
+{
+    // 1 -> 2 -> 3 -> 1, and 4 hangs on 3; each one metre further than its parent.
+    const auto step = [](const json& children) {
+        return json{{"mesh", 0}, {"translation", {1, 0, 0}}, {"children", children}};
+    };
+    GltfBuilder builder = with_nodes(
+        {json::object(), step({2}), step({3}), step({1, 4}), {{"mesh", 0}, {"translation", {1, 0, 0}}}},
+        {0, 1});
+    EXPECT_EQ(complaint(builder), "test.gltf: node 1 is its own ancestor: cut off from its parent");
+    std::vector<float> x;
+    for (const Instance& instance : load(builder).instances)
+        x.push_back(instance.transform[3].x);
+    EXPECT_EQ(x, (std::vector<float>{1, 2, 3, 4}));
+}
+
+TEST(GltfNodes, ARootWithAParentIsDrawnWhereThatPutsIt)
+{
+    GltfBuilder builder = with_nodes(
+        {{{"children", {1}}, {"translation", {5, 0, 0}}}, {{"mesh", 0}, {"translation", {1, 0, 0}}}}, {1});
+    EXPECT_EQ(complaint(builder), "test.gltf: scene 0: node 1 is no root: node 0 is its parent: "
+                                  "drawn where that puts it");
+    EXPECT_EQ(load(builder).instances.at(0).transform[3].x, 6.0f);
+    builder.document["scenes"][0]["nodes"] = {0, 1};
+    EXPECT_EQ(load(builder).instances.size(), 1u) << "reached twice, drawn once";
+}
+
+TEST(GltfNodes, WhereNothingIsLeftTheFaultIsTheError)
 {
     EXPECT_EQ(refusal(with_nodes({{{"children", {5}}}}, {0})), "test.gltf: node 0: child 5 does not exist");
-    EXPECT_EQ(refusal(with_nodes({{{"children", {2}}}, {{"children", {2}}}, json::object()}, {0, 1})),
-              "test.gltf: node 2 has two parents, 0 and 1");
-    EXPECT_EQ(refusal(with_nodes({{{"children", {1, 1}}}, json::object()}, {0})),
-              "test.gltf: node 1 has two parents, 0 and 0");
-    EXPECT_EQ(refusal(with_nodes({{{"children", {0}}}}, {0})), "test.gltf: node 0 is its own ancestor");
-    const std::string cycle = refusal(with_nodes(
-        {json::object(), {{"children", {2}}}, {{"children", {3}}}, {{"children", {1, 4}}}, json::object()},
-        {0}));
-    EXPECT_TRUE(contains(cycle, "is its own ancestor"));
-    EXPECT_FALSE(contains(cycle, "node 0")) << cycle;
-    EXPECT_FALSE(contains(cycle, "node 4")) << cycle;
-    EXPECT_EQ(refusal(with_nodes({{{"children", {1}}}, json::object()}, {0, 1})),
-              "test.gltf: scene 0: node 1 is no root: node 0 is its parent");
-    EXPECT_EQ(refusal(with_nodes(json::array({json::object()}), {0, 0})),
-              "test.gltf: scene 0: node 0 is listed twice");
     EXPECT_EQ(refusal(with_nodes(json::array({json::object()}), {3})),
               "test.gltf: scene 0: node 3 does not exist");
     EXPECT_EQ(refusal(with_nodes({{{"mesh", 3}}}, {0})), "test.gltf: node 0: mesh 3 does not exist");
     EXPECT_EQ(refusal(with_nodes({{{"children", {-1}}}}, {0})),
               "test.gltf: node 0: children is not a whole number from 0 to 2147483647");
+    GltfBuilder builder = triangle();
+    builder.document["nodes"] = 3;
+    EXPECT_EQ(refusal(builder), "test.gltf: nodes is not an array");
 }
 
 TEST(GltfNodes, AChainOfFiftyThousandIsNoTrouble)
@@ -128,17 +171,25 @@ TEST(GltfNodes, AChainOfFiftyThousandIsNoTrouble)
     EXPECT_EQ(scene.origin.x + static_cast<double>(scene.instances.at(0).transform[3].x), 49999.0);
 }
 
-TEST(GltfNodes, TransformsAreChecked)
+TEST(GltfNodes, TransformsThatAreNoneAreMended)
 {
-    EXPECT_EQ(refusal(with_nodes({{{"mesh", 0}, {"rotation", {0, 0, 0, 0}}}}, {0})),
-              "test.gltf: node 0: its rotation has no length");
-    EXPECT_EQ(refusal(with_nodes(
-                  {{{"mesh", 0}, {"matrix", {1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}}}, {0})),
-              "test.gltf: node 0: its matrix is not affine");
-    EXPECT_EQ(
-        refusal(with_nodes(
-            {{{"scale", {1e30, 1, 1}}, {"children", {1}}}, {{"mesh", 0}, {"scale", {1e30, 1, 1}}}}, {0})),
-        "test.gltf: node 1: its transform in the world is not finite");
+    const GltfBuilder turned =
+        with_nodes({{{"mesh", 0}, {"rotation", {0, 0, 0, 0}}, {"scale", {2, 2, 2}}}}, {0});
+    EXPECT_EQ(complaint(turned), "test.gltf: node 0: its rotation has no length: ignored");
+    expect_near(apply(load(turned).instances.at(0).transform, {1, 0, 0}), {2, 0, 0});
+    const GltfBuilder skewed =
+        with_nodes({{{"mesh", 0}, {"matrix", {1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 3, 0, 0, 1}}}}, {0});
+    EXPECT_EQ(complaint(skewed), "test.gltf: node 0: its matrix is not affine: its last row is ignored");
+    expect_near(apply(load(skewed).instances.at(0).transform, {1, 0, 0}), {4, 0, 0});
+    Warnings warnings;
+    const Scene scene = load(with_nodes({{{"scale", {1e30, 1, 1}}, {"children", {1}}},
+                                         {{"mesh", 0}, {"scale", {1e30, 1, 1}}},
+                                         {{"mesh", 0}}},
+                                        {0, 2}),
+                             &warnings);
+    EXPECT_EQ(scene.instances.size(), 1u);
+    EXPECT_TRUE(
+        warned_once(warnings, "test.gltf: node 1: its transform in the world is not finite: left out"));
 }
 
 TEST(GltfNodes, ARotationThatIsNotOfUnitLengthIsNormalised)
@@ -258,22 +309,29 @@ TEST(GltfCameras, WhatMakesNoSenseIsPassedOverWithAWarning)
     EXPECT_EQ(read(flat, "camera 0: xmag is no size").aspect, 0.0f);
 }
 
-TEST(GltfCameras, ImpossibleOnesAreRefused)
+TEST(GltfCameras, ImpossibleOnesAreLeftOut)
 {
-    const auto broken = [](const json& camera) { return refusal(with_camera(camera, json::object())); };
+    const auto broken = [](const json& camera) {
+        const GltfBuilder builder = with_camera(camera, json::object());
+        EXPECT_TRUE(load(builder).cameras.empty());
+        return complaint(builder);
+    };
     json wide = lens;
     wide["perspective"]["yfov"] = 3.2;
-    EXPECT_EQ(broken(wide), "test.gltf: camera 0: yfov 3.2 is not between 0 and pi");
+    EXPECT_EQ(broken(wide), "test.gltf: camera 0: yfov 3.2 is not between 0 and pi: the camera is left out");
     wide["perspective"]["yfov"] = 0;
-    EXPECT_EQ(broken(wide), "test.gltf: camera 0: yfov 0 is not between 0 and pi");
+    EXPECT_EQ(broken(wide), "test.gltf: camera 0: yfov 0 is not between 0 and pi: the camera is left out");
     EXPECT_EQ(broken({{"type", "orthographic"},
                       {"orthographic", {{"xmag", 1}, {"ymag", 0}, {"znear", 0}, {"zfar", 1}}}}),
-              "test.gltf: camera 0: ymag 0 is no size");
-    EXPECT_NE(broken({{"type", "perspective"}}), "");
-    EXPECT_NE(broken({{"type", "fisheye"}}), "");
+              "test.gltf: camera 0: ymag 0 is no size: the camera is left out");
+    EXPECT_EQ(broken({{"type", "perspective"}}), "test.gltf: camera 0: perspective is missing: left out");
+    EXPECT_EQ(broken({{"type", "fisheye"}}),
+              "test.gltf: camera 0: type \"fisheye\" is not one of glTF: left out");
+    EXPECT_EQ(broken({{"type", "perspective"}, {"perspective", {{"znear", 1}}}}),
+              "test.gltf: camera 0, perspective: yfov is missing: left out");
     GltfBuilder missing = with_camera(lens, json::object());
     missing.document["nodes"][1]["camera"] = 4;
-    EXPECT_EQ(refusal(missing), "test.gltf: camera 4 does not exist");
+    EXPECT_EQ(complaint(missing), "test.gltf: camera 4 does not exist: the camera is left out");
     Warnings warnings;
     EXPECT_TRUE(load(with_camera(lens, {{"scale", {1, 1, 0}}}), &warnings).cameras.empty());
     EXPECT_TRUE(warned_once(warnings, "node 1: camera without direction left out"));
@@ -351,25 +409,57 @@ TEST(GltfLights, TheThreeKinds)
     EXPECT_NEAR(plain_spot.outer_cone, std::numbers::pi / 4, 1e-6);
 }
 
-TEST(GltfLights, ImpossibleOnesAreRefused)
+TEST(GltfLights, ImpossibleOnesAreLeftOut)
 {
-    const auto broken = [](const json& light) { return refusal(with_light(light, json::object())); };
-    EXPECT_EQ(broken({{"type", "spot"}, {"spot", {{"innerConeAngle", 0.6}, {"outerConeAngle", 0.5}}}}),
-              "test.gltf: light 0: cone angles 0.6 and 0.5 are not 0 <= inner <= outer <= pi/2");
-    EXPECT_NE(broken({{"type", "spot"}, {"spot", {{"outerConeAngle", 2}}}}), "");
-    EXPECT_EQ(broken({{"type", "area"}}), "test.gltf: light 0: type \"area\" is not known");
-    EXPECT_EQ(broken({{"type", "point"}, {"intensity", -1}}),
-              "test.gltf: light 0: its intensity times colour is negative or too large");
-    EXPECT_EQ(broken({{"type", "point"}, {"color", {1, 1}}}),
-              "test.gltf: extensions, KHR_lights_punctual, light 0: color has 2 numbers, not 3");
-    EXPECT_EQ(broken({{"type", "point"}, {"range", -1}}), "test.gltf: light 0: range -1 is negative");
+    const auto broken = [](const json& light) {
+        const GltfBuilder builder = with_light(light, json::object());
+        EXPECT_TRUE(load(builder).lights.empty());
+        return complaint(builder);
+    };
+    EXPECT_EQ(broken({{"type", "area"}}),
+              "test.gltf: light 0: type \"area\" is not known: the light is left out");
+    EXPECT_EQ(
+        broken({{"type", "point"}, {"intensity", -1}}),
+        "test.gltf: light 0: its intensity times colour is negative or too large: the light is left out");
+    EXPECT_EQ(broken({{"type", "spot"}, {"spot", {{"outerConeAngle", 0}}}}),
+              "test.gltf: light 0: outerConeAngle 0 leaves no cone: the light is left out");
+    EXPECT_EQ(broken({{"intensity", 3}}),
+              "test.gltf: extensions, KHR_lights_punctual, light 0: type is missing: left out");
     GltfBuilder missing = with_light({{"type", "point"}}, json::object());
     missing.document["nodes"][1]["extensions"]["KHR_lights_punctual"]["light"] = 9;
-    EXPECT_EQ(refusal(missing), "test.gltf: light 9 does not exist");
+    EXPECT_EQ(complaint(missing), "test.gltf: light 9 does not exist: the light is left out");
     // A node that is not drawn carries no light.
     GltfBuilder dark = with_light({{"type", "point"}}, json::object());
     dark.document["scenes"][0]["nodes"] = {0};
     EXPECT_TRUE(load(dark).lights.empty());
+}
+
+TEST(GltfLights, ValuesOutOfRangeAreClampedOrLeftOut)
+{
+    const auto mended = [](const json& light, const char* warning) {
+        const GltfBuilder builder = with_light(light, json::object());
+        EXPECT_EQ(complaint(builder), warning);
+        return load(builder).lights.at(0);
+    };
+    const Light swapped =
+        mended({{"type", "spot"}, {"spot", {{"innerConeAngle", 0.6}, {"outerConeAngle", 0.5}}}},
+               "test.gltf: light 0: cone angles 0.6 and 0.5 are not 0 <= inner <= outer <= "
+               "pi/2: 0.5 and 0.5 are used");
+    EXPECT_EQ(swapped.inner_cone, 0.5f);
+    EXPECT_EQ(swapped.outer_cone, 0.5f);
+    const Light wide = mended({{"type", "spot"}, {"spot", {{"outerConeAngle", 2}}}},
+                              "test.gltf: light 0: cone angles 0 and 2 are not 0 <= inner <= outer <= pi/2: "
+                              "0 and 1.5708 are used");
+    EXPECT_NEAR(wide.outer_cone, std::numbers::pi / 2, 1e-6);
+    const Light endless =
+        mended({{"type", "point"}, {"range", -1}}, "test.gltf: light 0: range -1 is negative: none is used");
+    EXPECT_EQ(endless.range, std::numeric_limits<float>::infinity());
+    const Light white = mended({{"type", "point"}, {"color", {1, 1}}},
+                               "test.gltf: extensions, KHR_lights_punctual, light 0: color has 2 numbers, "
+                               "not 3: ignored");
+    EXPECT_EQ(white.intensity, glm::vec3(1));
+    const GltfBuilder bare = with_light({{"type", "spot"}}, json::object());
+    EXPECT_NEAR(load(bare).lights.at(0).outer_cone, std::numbers::pi / 4, 1e-6) << "the usual cone";
 }
 
 } // namespace

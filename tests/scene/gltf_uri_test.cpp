@@ -32,44 +32,64 @@ protected:
     fs::path folder_;
 };
 
+const UriBase beside{fs::path("/models/fish"), {}};
+
 std::string path_refusal(const std::string& uri)
 {
     try {
-        relative_path(uri, "here");
+        path_beside(beside, uri, "here");
     } catch (const Error& error) {
         return error.what();
     }
     return {};
 }
 
+fs::path path_of(const std::string& uri, const Reach& reach = {})
+{
+    return path_beside({fs::path("/models/fish"), reach}, uri, "here");
+}
+
 TEST(GltfUri, RelativePathsAreDecoded)
 {
-    EXPECT_EQ(relative_path("a.bin", "here"), "a.bin");
-    EXPECT_EQ(relative_path("a%20b%2B+c.bin", "here"), "a b++c.bin");
-    EXPECT_EQ(relative_path("textures\\wood%5Coak.png", "here"), "textures/wood/oak.png");
-    EXPECT_EQ(relative_path("100%.png", "here"), "100%.png");
-    EXPECT_EQ(relative_path("%zz.png", "here"), "%zz.png");
-    EXPECT_EQ(relative_path("a/../b.png", "here"), "a/../b.png");
-    EXPECT_EQ(relative_path("./a.png", "here"), "./a.png");
-    EXPECT_EQ(relative_path("%C3%A9.png", "here"), "\xC3\xA9.png");
+    EXPECT_EQ(path_of("a.bin"), "/models/fish/a.bin");
+    EXPECT_EQ(path_of("a%20b%2B+c.bin"), "/models/fish/a b++c.bin");
+    EXPECT_EQ(path_of("textures\\wood%5Coak.png"), "/models/fish/textures/wood/oak.png");
+    EXPECT_EQ(path_of("100%.png"), "/models/fish/100%.png");
+    EXPECT_EQ(path_of("%zz.png"), "/models/fish/%zz.png");
+    EXPECT_EQ(path_of("a/../b.png"), "/models/fish/b.png");
+    EXPECT_EQ(path_of("./a.png"), "/models/fish/a.png");
+    EXPECT_EQ(path_of("%C3%A9.png"), "/models/fish/\xC3\xA9.png");
+    EXPECT_EQ(path_of("../fish/a.png"), "/models/fish/../fish/a.png") << "it comes back";
 }
 
 TEST(GltfUri, PathsThatLeaveTheFolderAreRefused)
 {
     EXPECT_EQ(path_refusal("../a.png"), "here: \"../a.png\" leaves the folder of the glTF");
+    EXPECT_EQ(path_refusal("../fishes/a.png"), "here: \"../fishes/a.png\" leaves the folder of the glTF");
     EXPECT_EQ(path_refusal("a/../../b.png"), "here: \"a/../../b.png\" leaves the folder of the glTF");
     EXPECT_EQ(path_refusal("%2e%2e/a.png"), "here: \"../a.png\" leaves the folder of the glTF");
     EXPECT_EQ(path_refusal("..\\a.png"), "here: \"../a.png\" leaves the folder of the glTF");
     EXPECT_EQ(path_refusal("/etc/passwd"),
-              "here: \"/etc/passwd\" is an absolute path; only files beside the glTF are read");
+              "here: \"/etc/passwd\" is an absolute path; only relative ones are read");
     EXPECT_EQ(path_refusal("%2Fetc/passwd"),
-              "here: \"/etc/passwd\" is an absolute path; only files beside the glTF are read");
+              "here: \"/etc/passwd\" is an absolute path; only relative ones are read");
     EXPECT_EQ(path_refusal("file:///a.png"), "here: \"file:///a.png\" is not a relative path");
     EXPECT_EQ(path_refusal("https://example.org/a.png"),
               "here: \"https://example.org/a.png\" is not a relative path");
     EXPECT_EQ(path_refusal("C:/a.png"), "here: \"C:/a.png\" is not a relative path");
     EXPECT_EQ(path_refusal(""), "here: the uri is not a file name");
     EXPECT_EQ(path_refusal("a%00b"), "here: the uri is not a file name");
+}
+
+TEST(GltfUri, TheReachSaysHowFarTheyMayLead)
+{
+    EXPECT_EQ(path_of("../../tex/a.png", {true, {}}), "/models/fish/../../tex/a.png");
+    EXPECT_EQ(path_of("../tex/a.png", {false, {"/models"}}), "/models/fish/../tex/a.png");
+    EXPECT_EQ(path_of("../tex/a.png", {false, {"/other", "/models/tex/"}}), "/models/fish/../tex/a.png");
+    EXPECT_THROW(path_of("../../models2/a.png", {false, {"/models"}}), Error);
+    EXPECT_THROW(path_of("a.png", {false, {"/models/tex"}}), Error);
+    EXPECT_THROW(path_of("/etc/passwd", {true, {}}), Error);
+    EXPECT_THROW(path_of("file:///etc/passwd", {true, {}}), Error);
 }
 
 TEST(GltfUri, Base64IsDecodedStrictly)
@@ -113,14 +133,43 @@ TEST_F(GltfFiles, AMissingFileIsNamed)
     }
 }
 
-TEST_F(GltfFiles, FilesOutsideTheFolderStayUnread)
+TEST_F(GltfFiles, FilesOutsideTheFolderAreReadWithinReachAlone)
 {
     GltfBuilder builder = triangle();
     write_file(folder_ / "secret.bin", builder.binary);
     builder.document["buffers"] = {{{"byteLength", 36}, {"uri", "../secret.bin"}}};
-    write_file(folder_ / "inside" / "scene.gltf", builder.gltf());
+    const fs::path scene = folder_ / "inside" / "scene.gltf";
+    write_file(scene, builder.gltf());
     Warnings warnings;
-    EXPECT_THROW(load_gltf(folder_ / "inside" / "scene.gltf", warnings), Error);
+    EXPECT_THROW(load_gltf(scene, warnings), Error);
+    EXPECT_THROW(load_gltf(scene, warnings, {false, {folder_ / "inside"}}), Error);
+    EXPECT_TRUE(GltfFile(scene, warnings).files().empty()) << "not watched either";
+    warnings.clear();
+    EXPECT_EQ(load_gltf(scene, warnings, {false, {folder_}}).meshes.size(), 1u);
+    EXPECT_EQ(load_gltf(scene, warnings, {true, {}}).meshes.size(), 1u);
+    EXPECT_TRUE(warnings.empty());
+}
+
+TEST_F(GltfFiles, LinksDoNotLeadOutOfReach)
+{
+    GltfBuilder builder = triangle();
+    write_file(folder_ / "secret.bin", builder.binary);
+    fs::create_symlink(folder_ / "secret.bin", folder_ / "inside" / "link.bin");
+    fs::create_directory_symlink(folder_, folder_ / "inside" / "up");
+    for (const char* uri : {"link.bin", "up/secret.bin"}) {
+        builder.document["buffers"] = {{{"byteLength", 36}, {"uri", uri}}};
+        const fs::path scene = folder_ / "inside" / "scene.gltf";
+        write_file(scene, builder.gltf());
+        Warnings warnings;
+        try {
+            load_gltf(scene, warnings);
+            ADD_FAILURE() << uri;
+        } catch (const Error& error) {
+            EXPECT_TRUE(contains(error.what(), "is a link that leads out of the folder")) << error.what();
+        }
+        EXPECT_EQ(load_gltf(scene, warnings, {false, {folder_}}).meshes.size(), 1u);
+        EXPECT_EQ(load_gltf(scene, warnings, {true, {}}).meshes.size(), 1u);
+    }
 }
 
 TEST_F(GltfFiles, AFolderOrAMissingSceneIsRefused)

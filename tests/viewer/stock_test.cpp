@@ -8,6 +8,7 @@
 
 #include <condition_variable>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 
 namespace lambent::viewer {
@@ -123,6 +124,51 @@ TEST(Stock, WatchesTheFilesBesideAModel)
     EXPECT_TRUE(eventually(stock, arguments, [](const Found<Model>& found) {
         return found.error.empty() && found.value->bounds().high.x == 3.0f;
     }));
+}
+
+// A model beside whose folder its buffer lies.
+std::string write_model_out_of_folder(const testing::Folder& folder)
+{
+    std::filesystem::create_directories(folder.path("inside"));
+    write(folder.path("corners.bin"), std::string(36, '\0'));
+    write(folder.path("inside/a.gltf"),
+          R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36, "uri": "../corners.bin"}]})");
+    return folder.path("inside/a.gltf");
+}
+
+TEST(Stock, ReadsNothingOutOfItsReach)
+{
+    const testing::Folder folder;
+    const cli::RenderArguments arguments = arguments_for(write_model_out_of_folder(folder));
+    Stock narrow({.cache = false});
+    EXPECT_THROW(narrow.load(arguments), Error);
+    Stock inside({.cache = false, .reach = {false, {folder.path("inside")}}});
+    EXPECT_THROW(inside.load(arguments), Error);
+    Stock around({.cache = false, .reach = {false, {folder.path("")}}});
+    around.load(arguments);
+    Stock anywhere({.cache = false, .reach = {true, {}}});
+    anywhere.load(arguments);
+}
+
+TEST(Stock, IsStrictIfAsked)
+{
+    const testing::Folder folder;
+    const std::string file = folder.path("a.gltf");
+    write(file, R"({"asset": {"version": "2.0"}, "extensionsUsed": ["VENDOR_x"], "scenes": [{}]})");
+    Stock mild({.cache = false});
+    mild.load(arguments_for(file));
+    EXPECT_FALSE(mild.model(arguments_for(file)).value->warnings().empty());
+    Stock strict({.cache = false, .strict = true});
+    try {
+        strict.load(arguments_for(file));
+        ADD_FAILURE() << "loaded";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.failure(), Failure::bad_input);
+        EXPECT_NE(std::string(error.what()).find("VENDOR_x"), std::string::npos);
+    }
 }
 
 TEST(Stock, KeepsLittleThatNobodyLooksAt)

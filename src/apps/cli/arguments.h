@@ -26,6 +26,7 @@ struct CommonOptions {
     Verbosity verbosity = Verbosity::normal;
     int threads = 0; ///< 0: one per processor
     bool stats_json = false;
+    bool strict = false; ///< what an input is warned of is an error
 };
 
 /// Who draws or bakes. Automatic: a graphics device where there is one, else the processor.

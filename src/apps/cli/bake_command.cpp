@@ -131,7 +131,7 @@ void bake_to_files(const BakeArguments& arguments, const Interrupt& interrupt, C
     Warnings warnings;
     const environment::Panorama panorama = load(arguments, warnings);
     watch.lap("environment");
-    console.warn(warnings);
+    console.warn_of_input(warnings, arguments.common);
     const Baked baked = bake(panorama, arguments, filler, [&](double done) {
         stop_if_asked();
         console.progress(static_cast<float>(done));

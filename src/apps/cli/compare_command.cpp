@@ -146,7 +146,7 @@ void run(const CompareArguments& arguments)
     Stopwatch watch;
     Warnings warnings;
     const compare::Pictures pictures = prepare(arguments, warnings);
-    console.warn(warnings);
+    console.warn_of_input(warnings, arguments.common);
     watch.lap("read");
     const Findings findings = find(arguments, pictures, console);
     watch.lap("compare");

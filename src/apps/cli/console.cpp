@@ -29,6 +29,13 @@ void Console::warn(const Warnings& warnings) const
         std::fprintf(stderr, "lambent: warning: %s\n", one_line(line).c_str());
 }
 
+void Console::warn_of_input(const Warnings& warnings, const CommonOptions& common) const
+{
+    if (common.strict)
+        refuse_warnings(warnings);
+    warn(warnings);
+}
+
 void Console::remark(const std::string& line) const
 {
     if (verbosity_ == Verbosity::verbose)
@@ -57,6 +64,16 @@ void Console::end_progress()
     if (shown_)
         std::fputs("\r\033[K", stderr);
     shown_ = false;
+}
+
+void refuse_warnings(const Warnings& warnings)
+{
+    if (warnings.empty())
+        return;
+    const std::size_t more = warnings.size() - 1;
+    throw Error(Failure::bad_input,
+                text(warnings.front(),
+                     more == 0 ? "" : text(" (and ", more, more == 1 ? " warning" : " warnings", " more)")));
 }
 
 } // namespace lambent::cli

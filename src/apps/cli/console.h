@@ -16,6 +16,9 @@ public:
     /// "lambent: warning: LINE", unless quiet.
     void warn(const Warnings& warnings) const;
 
+    /// The same of the files that a command reads. Throws Error(bad_input) with the first, where they are to be errors.
+    void warn_of_input(const Warnings& warnings, const CommonOptions& common) const;
+
     /// A remark, only if verbose.
     void remark(const std::string& line) const;
 
@@ -33,5 +36,8 @@ private:
     bool shown_ = false;
     Clock::time_point start_ = Clock::now(), last_ = start_;
 };
+
+/// Throws Error(bad_input) if there are any: with the first, and how many there are.
+void refuse_warnings(const Warnings& warnings);
 
 } // namespace lambent::cli

@@ -41,6 +41,7 @@ void add_common(const Command& command, CommonWords& words)
     option(app, "--threads", words.threads, "N", "Worker threads (one per processor)");
     option(app, "--stats", words.stats, "json",
            "Print what was done and how long it took, as one JSON object");
+    app.add_flag("--strict", words.strict, "A warning about an input file is an error, exit code 3");
     app.add_flag("--quiet", words.quiet, "No progress bar, no warnings");
     app.add_flag("--verbose", words.verbose, "Say what is being done");
 }
@@ -61,6 +62,7 @@ CommonOptions common_options(const CommonWords& words)
         common.verbosity = Verbosity::quiet;
     if (words.verbose)
         common.verbosity = Verbosity::verbose;
+    common.strict = words.strict;
     if (!words.threads.empty())
         common.threads = whole_in(words.threads, "--threads", 1, 1024);
     if (!words.stats.empty())

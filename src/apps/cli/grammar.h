@@ -17,7 +17,7 @@ namespace lambent::cli {
 /// The words of the options that every command has. The parsing fills them, and an empty one was not given.
 struct CommonWords {
     std::string threads, stats;
-    bool quiet = false, verbose = false;
+    bool quiet = false, verbose = false, strict = false;
 };
 
 /// The value that goes with a word. Throws Error(usage) with the words that would do.
@@ -53,7 +53,7 @@ int whole_in(const std::string& word, const std::string& option, int least, int 
 void option(Command& app, const std::string& name, std::string& word, const std::string& kind,
             const std::string& help);
 
-/// Adds --threads, --stats, --quiet and --verbose.
+/// Adds --threads, --stats, --strict, --quiet and --verbose.
 void add_common(const Command& command, CommonWords& words);
 
 /// What they say. Throws Error(usage).

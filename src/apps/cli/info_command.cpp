@@ -65,8 +65,8 @@ bool looks_like_gltf(const std::string& path)
 Json describe(const std::string& path, Warnings& warnings)
 {
     if (looks_like_gltf(path))
-        return describe_scene(scene::load_gltf(path, warnings));
-    const image::ImageInfo info = image::inspect(path);
+        return describe_scene(scene::load_gltf(path, warnings, {true, {}}));
+    const image::ImageInfo info = image::inspect(path, &warnings);
     return {{"format", info.format}, {"detail", info.detail}, {"width", info.width}, {"height", info.height}};
 }
 
@@ -90,7 +90,7 @@ void run(const InfoArguments& arguments)
 {
     Warnings warnings;
     Json info = describe(arguments.file, warnings);
-    Console(arguments.common.verbosity).warn(warnings);
+    Console(arguments.common.verbosity).warn_of_input(warnings, arguments.common);
     if (arguments.json || arguments.common.stats_json) {
         info["file"] = arguments.file;
         print(info);

@@ -48,7 +48,7 @@ scene::Scene load_scene(const RenderArguments& arguments, Warnings& warnings, In
     if (scene::is_builtin(arguments.scene))
         return scene::make_builtin(arguments.scene, arguments.builtin);
     check_scene_name(arguments.scene);
-    const scene::GltfFile file(arguments.scene, warnings);
+    const scene::GltfFile file(arguments.scene, warnings, {true, {}});
     for (const std::filesystem::path& beside : file.files())
         if (inputs)
             inputs->add(beside);

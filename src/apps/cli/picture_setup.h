@@ -13,7 +13,7 @@
 
 namespace lambent::cli {
 
-/// The built-in scene or the file, at the moment asked for. Throws as scene::load_gltf and moment_asked. The files that
+/// The built-in scene or the file, with what it names anywhere, at the moment asked for. Throws as scene::load_gltf and moment_asked. The files that
 /// the scene's file names beside it are added to `inputs`, if given.
 scene::Scene load_scene(const RenderArguments& arguments, Warnings& warnings, InputFiles* inputs = nullptr);
 

@@ -105,7 +105,7 @@ void run(const ReferenceArguments& arguments)
     const std::optional<image::RadianceImage> environment =
         load_raw_environment(picture.environment, warnings);
     watch.lap("environment");
-    console.warn(warnings);
+    console.warn_of_input(warnings, picture.common);
 
     const reference::Settings settings = reference_settings(arguments, scene);
     const reference::Result result = reference::trace(

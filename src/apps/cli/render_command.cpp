@@ -74,7 +74,7 @@ void run(const RenderArguments& arguments)
     const LoadedEnvironment loaded = load_environment(arguments.environment, arguments.cache);
     warnings.insert(warnings.end(), loaded.warnings.begin(), loaded.warnings.end());
     watch.lap("environment");
-    console.warn(warnings);
+    console.warn_of_input(warnings, arguments.common);
     console.remark(text(arguments.scene, ": ", scene::triangle_count(scene), " triangles, ",
                         scene.materials.size(), " materials, ", scene.images.size(), " textures"));
 

@@ -37,6 +37,7 @@ std::vector<std::string> words_of(const StartArguments& start)
     add_flag(!picture.cache, "--no-cache");
     add_flag(!picture.settings.energy_compensation, "--no-energy-compensation");
     add_flag(picture.display.dither, "--dither");
+    add_flag(picture.common.strict, "--strict");
     add_flag(picture.common.verbosity == Verbosity::quiet, "--quiet");
     add_flag(picture.common.verbosity == Verbosity::verbose, "--verbose");
     add("--", picture.scene); // a name may look like an option

@@ -117,7 +117,7 @@ void make_report(const ReportArguments& arguments, const Interrupt& interrupt, C
         report::Page page = make_page(desk);
         std::vector<std::string> files = workshop.finish();
         console.end_progress();
-        console.warn(workshop.warnings());
+        console.warn_of_input(workshop.warnings(), arguments.common);
         watch.lap("draw");
         add_facts(arguments, watch, page);
         write_text(report::to_json(page), folder.path("report.json"));

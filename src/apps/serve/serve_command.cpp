@@ -17,8 +17,11 @@ void run(const ServeArguments& arguments)
     const RenderArguments& picture = arguments.start.picture;
     const ThreadLimit limit(picture.common.threads);
     const Console console(picture.common.verbosity);
-    viewer::Stock stock(
-        {picture.cache, picture.backend, [&](const std::string& line) { console.warn({line}); }});
+    viewer::Stock stock({picture.cache,
+                         picture.backend,
+                         [&](const std::string& line) { console.warn({line}); },
+                         picture.common.strict,
+                         {false, viewer::folders_named(picture)}});
     const viewer::Wish start = viewer::load_first(arguments.start, stock, console);
     viewer::Desk desk(stock);
     serve::ServerOptions options{arguments.host, arguments.port, arguments.token, {}};

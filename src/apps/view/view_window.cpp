@@ -47,8 +47,11 @@ void run(const cli::ViewArguments& arguments)
     Memory memory = before;
     if (has_size(arguments.start))
         memory.place = {picture.settings.width, picture.settings.height, before.place.corner, false};
-    viewer::Stock stock(
-        {picture.cache, picture.backend, [&](const std::string& line) { console.warn({line}); }});
+    viewer::Stock stock({picture.cache,
+                         picture.backend,
+                         [&](const std::string& line) { console.warn({line}); },
+                         picture.common.strict,
+                         {true, {}}});
     const viewer::Wish start = viewer::load_first(arguments.start, stock, console);
     // Until here there is nothing to lose.
     const cli::Interrupt interrupt;

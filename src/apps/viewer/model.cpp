@@ -17,13 +17,14 @@ bool same(const std::optional<scene::Moment>& a, const std::optional<scene::Mome
 
 } // namespace
 
-Model::Model(const cli::RenderArguments& arguments, cli::RendererChoice backend, const NoteFiles& note)
+Model::Model(const cli::RenderArguments& arguments, cli::RendererChoice backend, const NoteFiles& note,
+             const scene::Reach& reach)
     : backend_(std::move(backend))
 {
     if (scene::is_builtin(arguments.scene)) {
         scene_ = scene::make_builtin(arguments.scene, arguments.builtin);
     } else {
-        file_ = std::make_unique<scene::GltfFile>(arguments.scene, warnings_);
+        file_ = std::make_unique<scene::GltfFile>(arguments.scene, warnings_, reach);
         if (note)
             note(file_->files());
         scene_ = file_->scene(std::nullopt, warnings_);

@@ -24,8 +24,9 @@ public:
     using NoteFiles = std::function<void(const std::vector<std::filesystem::path>&)>;
 
     /// A built-in scene or a file, with the arguments' options for built-in shapes; it stands as the file has it.
-    /// Throws Error.
-    Model(const cli::RenderArguments& arguments, cli::RendererChoice backend, const NoteFiles& note = {});
+    /// `reach`: how far what the file names may lead. Throws Error.
+    Model(const cli::RenderArguments& arguments, cli::RendererChoice backend, const NoteFiles& note = {},
+          const scene::Reach& reach = {});
 
     /// As it stands without animation.
     const scene::Scene& scene() const { return scene_; }

@@ -1,5 +1,6 @@
 #include "apps/viewer/stock.h"
 
+#include "apps/cli/console.h"
 #include "apps/cli/reference_setup.h"
 #include "base/text.h"
 #include "environment/builtin.h"
@@ -104,17 +105,23 @@ Found<Model> Stock::model(const cli::RenderArguments& arguments)
     const std::string file = scene::is_builtin(arguments.scene) ? "" : arguments.scene;
     return find<Model>(model_key(arguments), file, [arguments, options = options_](const NoteFiles& note) {
         const cli::RendererChoice backend = {options.backend, options.cache, options.warn};
-        return std::make_shared<Model>(arguments, backend, note);
+        auto model = std::make_shared<Model>(arguments, backend, note, options.reach);
+        if (options.strict)
+            cli::refuse_warnings(model->warnings());
+        return model;
     });
 }
 
 Found<const cli::LoadedEnvironment> Stock::environment(const std::string& name)
 {
-    return find<const cli::LoadedEnvironment>(text("environment\n", name), file_of_environment(name),
-                                              [name, cache = options_.cache](const NoteFiles&) {
-                                                  return std::make_shared<cli::LoadedEnvironment>(
-                                                      cli::load_environment(name, cache));
-                                              });
+    return find<const cli::LoadedEnvironment>(
+        text("environment\n", name), file_of_environment(name), [name, options = options_](const NoteFiles&) {
+            auto loaded =
+                std::make_shared<cli::LoadedEnvironment>(cli::load_environment(name, options.cache));
+            if (options.strict)
+                cli::refuse_warnings(loaded->warnings);
+            return loaded;
+        });
 }
 
 Found<const RawEnvironment> Stock::raw_environment(const std::string& name)
