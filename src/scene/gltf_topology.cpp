@@ -9,9 +9,9 @@
 namespace lambent::scene {
 namespace {
 
-using Corners = std::span<const std::uint32_t>;
+using CornerList = std::span<const std::uint32_t>;
 
-void add_separate_triangles(Corners corners, std::vector<glm::uvec3>& triangles)
+void add_separate_triangles(CornerList corners, std::vector<glm::uvec3>& triangles)
 {
     const std::size_t before = triangles.size(), more = corners.size() / 3;
     triangles.resize(before + more);
@@ -19,7 +19,7 @@ void add_separate_triangles(Corners corners, std::vector<glm::uvec3>& triangles)
         std::memcpy(triangles.data() + before, corners.data(), more * sizeof(glm::uvec3));
 }
 
-void add_joined_triangles(Corners corners, bool strip, std::vector<glm::uvec3>& triangles)
+void add_joined_triangles(CornerList corners, bool strip, std::vector<glm::uvec3>& triangles)
 {
     for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
         const glm::uvec3 triangle =
@@ -30,7 +30,7 @@ void add_joined_triangles(Corners corners, bool strip, std::vector<glm::uvec3>& 
     }
 }
 
-void add_lines(Corners corners, int mode, std::vector<glm::uvec2>& lines)
+void add_lines(CornerList corners, int mode, std::vector<glm::uvec2>& lines)
 {
     const auto add = [&](std::uint32_t from, std::uint32_t to) {
         if (from != to)
@@ -45,7 +45,7 @@ void add_lines(Corners corners, int mode, std::vector<glm::uvec2>& lines)
 }
 
 // Returns how many are left over after the last whole triangle or line.
-std::size_t connect_run(Corners corners, int mode, Mesh& mesh)
+std::size_t connect_run(CornerList corners, int mode, Mesh& mesh)
 {
     switch (mode) {
     case TINYGLTF_MODE_POINTS:
