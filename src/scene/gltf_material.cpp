@@ -105,8 +105,8 @@ void read_minification(const Document& document, int code, int index, Sampler& s
     case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST:
     case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
     case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR:
-        sampler.minify_nearest = source.minFilter != TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST;
-        sampler.nearest_mipmap = source.minFilter != TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR;
+        sampler.minify_nearest = code != TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST;
+        sampler.nearest_mipmap = code != TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR;
         break;
     case TINYGLTF_TEXTURE_FILTER_LINEAR:
     case TINYGLTF_TEXTURE_FILTER_NEAREST:

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-bool is_broken(const json& element)
+bool is_marked_broken(const json& element)
 {
     const auto extensions = element.find("extensions");
     return extensions != element.end() && extensions->contains(broken_mark);
@@ -61,7 +61,7 @@ std::vector<ImageSource> take_images(json& document)
     std::vector<ImageSource> images;
     for (json& image : take(document, "images")) {
         ImageSource source;
-        source.is_broken = is_broken(image);
+        source.is_broken = is_marked_broken(image);
         if (image.contains("uri"))
             source.uri = std::move(image.at("uri").get_ref<std::string&>());
         source.buffer_view = image.value("bufferView", -1);
@@ -80,7 +80,7 @@ std::vector<AnimationSource> take_animations(json& document)
         AnimationSource source;
         source.name = animation.value("name", "");
         for (const json& channel : take(animation, "channels")) {
-            if (is_broken(channel))
+            if (is_marked_broken(channel))
                 continue;
             const json& target = channel.at("target");
             source.channels.push_back({channel.at("sampler").get<int>(), target.value("node", -1),
@@ -89,7 +89,7 @@ std::vector<AnimationSource> take_animations(json& document)
         for (const json& sampler : take(animation, "samplers"))
             source.samplers.push_back({sampler.value("input", unreadable_index),
                                        sampler.value("output", unreadable_index),
-                                       sampler.value("interpolation", "LINEAR"), is_broken(sampler)});
+                                       sampler.value("interpolation", "LINEAR"), is_marked_broken(sampler)});
         animations.push_back(std::move(source));
     }
     return animations;
