@@ -21,8 +21,8 @@ FacePosition cube_position(const Direction& d);
 /// Solid angle of a texel of a face of `size` texels a side, in steradians.
 double cube_texel_solid_angle(int size, int x, int y);
 
-/// Fills the borders of a level from the neighbouring faces, texel by texel along their edges, so that bilinear lookups
-/// are continuous across edges and corners: what a device's samplers do. [Vulkan 1.3, "Cube Map Edge Handling"]
+/// Fills the borders of a level from the neighbouring faces, where the plane of a face goes on into them, and so that
+/// bilinear lookups are continuous across edges and corners.
 void fill_borders(CubeChain& chain, int level);
 
 } // namespace lambent::environment

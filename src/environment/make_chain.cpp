@@ -87,41 +87,54 @@ struct Range {
     int first, end;
 };
 
-// Rows of level 0: face * size + y.
-void resample(const Resampling& how, const std::vector<Range>& rows, CubeChain& chain)
+// Of each row of level 0, face * size + y.
+using Rows = std::vector<std::vector<Range>>;
+
+void resample(const Resampling& how, const Rows& rows, CubeChain& chain)
 {
     const int size = chain.face_size(0);
     tbb::parallel_for(0, 6 * size, [&](int index) {
-        const Range range = rows[static_cast<std::size_t>(index)];
-        resample_row(
-            {how.panorama, how.limit, &how.points, index / size, index % size, range.first, range.end},
-            chain);
+        for (const Range& range : rows[static_cast<std::size_t>(index)])
+            resample_row(
+                {how.panorama, how.limit, &how.points, index / size, index % size, range.first, range.end},
+                chain);
     });
     fill_borders(chain, 0);
 }
 
-std::vector<Range> all_of(int size)
+Rows all_of(int size)
 {
-    return std::vector<Range>(static_cast<std::size_t>(6 * size), Range{0, size});
+    return {static_cast<std::size_t>(6 * size), {Range{0, size}}};
+}
+
+// Those that overlap or touch become one.
+void merge(std::vector<Range>& ranges)
+{
+    std::ranges::sort(ranges, {}, &Range::first);
+    std::size_t last = 0;
+    for (const Range& range : ranges)
+        if (range.first <= ranges[last].end)
+            ranges[last].end = std::max(ranges[last].end, range.end);
+        else
+            ranges[++last] = range;
+    ranges.resize(std::min(ranges.size(), last + 1));
 }
 
 // Where a texel above the limit may be seen.
-std::vector<Range> around(const Peaks& peaks, const Panorama& panorama, int size)
+Rows around(const Peaks& peaks, const Panorama& panorama, int size)
 {
-    std::vector<Range> rows(static_cast<std::size_t>(6 * size), Range{size, 0});
+    Rows rows(static_cast<std::size_t>(6 * size));
     // From the middle of a peak to the end of its texels' bilinear reading, and half a texel of a face.
     const double texel = std::max(2.0 / panorama.width, 1.0 / panorama.height) * std::numbers::pi;
     const double reach = 2.0 * texel + 1.5 / size;
     for (const Peak& peak : peaks.peaks)
         for (int face = 0; face < 6; ++face) {
             const TexelBox box = texels_within(peak, reach, face, size);
-            if (box.x0 > box.x1)
-                continue;
-            for (int y = box.y0; y <= box.y1; ++y) {
-                Range& row = rows[static_cast<std::size_t>(face * size + y)];
-                row = {std::min(row.first, box.x0), std::max(row.end, box.x1 + 1)};
-            }
+            for (int y = box.y0; box.x0 <= box.x1 && y <= box.y1; ++y)
+                rows[static_cast<std::size_t>(face * size + y)].push_back({box.x0, box.x1 + 1});
         }
+    for (std::vector<Range>& ranges : rows)
+        merge(ranges);
     return rows;
 }
 

@@ -90,6 +90,39 @@ TEST(BlurEdges, NoStepAtEdgesAndCornersOfTheCube)
     std::printf("largest step beyond that beside it: %.4f %% of the light\n", 100.0 * std::max(worst, 0.0));
 }
 
+double bend(const std::vector<double>& values, int i)
+{
+    const auto at = static_cast<std::size_t>(i);
+    return std::fabs(values[at + 1] - 2.0 * values[at] + values[at - 1]);
+}
+
+// Nor a crease: slopes change across an edge no more than they do between the texels of a face.
+TEST(BlurEdges, NoCreaseAtEdgesAndCornersOfTheCube)
+{
+    const environment::Environment environment = half_lit();
+    constexpr double step = 0.004;
+    constexpr int count = 480;
+    for (const float roughness : {0.3f, 0.4f, 0.5f, 0.6f, 0.8f, 1.0f}) {
+        double there = 0.0, beside = 0.0;
+        for (const dvec3& edge :
+             {dvec3(1, 0.5, 1), dvec3(1, -0.4, -1), dvec3(-1, 0.6, 1), dvec3(-1, -0.5, -1), dvec3(1, 1, 0.4),
+              dvec3(1, 1, 1), dvec3(-0.4, 1, 1), dvec3(-1, 1, -1), dvec3(0.5, -1, 1)}) {
+            const dvec3 middle = glm::normalize(edge);
+            const dvec3 across =
+                glm::normalize(glm::cross(middle, glm::cross(dvec3(0.9, -0.4, -0.3), middle)));
+            const double half = 0.5 * count * step;
+            const dvec3 from = std::cos(half) * middle - std::sin(half) * across;
+            const std::vector<double> values = along(environment, roughness, from, middle, step, count);
+            for (int i = 1; i + 1 < count; ++i)
+                (std::abs(i - count / 2) < 4 ? there : beside) =
+                    std::max(std::abs(i - count / 2) < 4 ? there : beside, bend(values, i));
+        }
+        std::printf("roughness %.1f: largest bend at edges %.2e, elsewhere %.2e\n",
+                    static_cast<double>(roughness), there, beside);
+        EXPECT_LT(there, 1.2 * beside) << roughness;
+    }
+}
+
 // A panorama that changes along one axis is that also blurred: its gradient points where it did.
 TEST(BlurEdges, NoBlurTurnsALinearPanorama)
 {

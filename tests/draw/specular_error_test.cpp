@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <vector>
@@ -181,14 +182,14 @@ void expect_errors_below(const std::vector<Bound>& bounds, const Place& place, S
                     many * 100);
         EXPECT_LT(few, bound.few) << bound.roughness;
         EXPECT_LT(many, bound.many) << bound.roughness;
-        EXPECT_LT(many, few) << bound.roughness;
+        EXPECT_LT(many, std::max(few, 0.0005)) << bound.roughness; // below, half floats are to be seen
     }
 }
 
 TEST(SpecularError, ShrinksWithTheNumberOfSamples)
 {
     expect_errors_below(
-        {{0.35f, 0.037, 0.0070}, {0.5f, 0.022, 0.0022}, {0.75f, 0.020, 0.0010}, {1.0f, 0.0215, 0.0008}},
+        {{0.35f, 0.036, 0.0070}, {0.5f, 0.019, 0.0022}, {0.75f, 0.018, 0.0009}, {1.0f, 0.0185, 0.0007}},
         soft_room(), Surface::white_metal);
 }
 

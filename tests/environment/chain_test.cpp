@@ -114,8 +114,8 @@ TEST(CubeChain, LookupsAreContinuousAcrossEdgesAndCorners)
         for (int y = 0; y < n; ++y)
             for (int x = 0; x < n; ++x)
                 for (std::size_t k = 0; k < 3; ++k)
-                    chain.halfs()[3 * chain.texel(0, face, x, y) + k] =
-                        to_half(static_cast<float>((37 * face + 11 * x + 5 * y) % 16));
+                    chain.halfs()[3 * chain.texel(0, face, x, y) + k] = to_half(
+                        static_cast<float>(60 + (37 * face + 11 * x + 5 * y) % 16)); // as half floats to 1/16
     fill_borders(chain, 0);
     const auto bilinear = [&](int face, double s, double t) {
         const double x = (s * 0.5 + 0.5) * n - 0.5, y = (t * 0.5 + 0.5) * n - 0.5;
@@ -141,7 +141,7 @@ TEST(CubeChain, LookupsAreContinuousAcrossEdgesAndCorners)
                             continue;
                         const double u[6][2] = {{-d.z, -d.y}, {d.z, -d.y}, {d.x, d.z},
                                                 {d.x, -d.z},  {d.x, -d.y}, {-d.x, -d.y}};
-                        EXPECT_NEAR(bilinear(a, s, t), bilinear(b, u[b][0] / most, u[b][1] / most), 0.02);
+                        EXPECT_NEAR(bilinear(a, s, t), bilinear(b, u[b][0] / most, u[b][1] / most), 0.07);
                         ++compared;
                     }
                 }
