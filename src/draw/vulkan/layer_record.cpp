@@ -11,7 +11,7 @@ namespace {
 
 using namespace gpu_layout;
 
-constexpr int background_code = -1;
+constexpr int background_layer_code = -1;
 
 // A column of the CPU's fragments and where it is on the device.
 struct ColumnPair {
@@ -61,7 +61,7 @@ void list_layers(std::span<const LayerSource> sources, PictureRecord& record)
     std::vector<int> codes;
     for (const LayerSource& source : sources)
         codes.push_back(layer_code(source));
-    codes.push_back(background_code);
+    codes.push_back(background_layer_code);
     for (const int code : codes)
         add(code, record);
 }
