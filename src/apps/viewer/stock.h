@@ -22,8 +22,8 @@ struct StockOptions {
     bool cache = true; ///< of environments and shaders, in the user's folder
     cli::Backend backend = cli::Backend::automatic;
     std::function<void(const std::string&)> warn = [](const std::string&) {}; ///< as cli::RendererChoice's
-    bool strict = false; ///< what files are warned of is an error
-    scene::Reach reach;  ///< how far what a glTF names may lead
+    bool strict = false;  ///< what files are warned of is an error
+    scene::Reach reach{}; ///< how far what a glTF names may lead
 };
 
 /// A panorama as it is in its file, for the reference.
