@@ -76,7 +76,7 @@ TEST(Help, NamesWhatWasProbablyMeant)
 {
     for (const Mistake& mistake : std::vector<Mistake>{
              {{"rendre", "sphere", "-o", "x.png"}, 2, "no command 'rendre'; did you mean 'render'?"},
-             {{"help", "bka"}, 2, "did you mean 'bake'?"},
+             {{"help", "bkae"}, 2, "did you mean 'bake'?"},
              {{"render", "sphere", "-o", "x.png", "--exposre", "2"}, 2, "did you mean '--exposure'?"},
              {{"render", "sphere", "-o", "x.png", "--exposre=2"}, 2, "no option '--exposre'; did you mean"},
              {{"render", "sphere", "--otput", "x.png"}, 2, "did you mean '--output'?"},

@@ -50,7 +50,7 @@ std::vector<Command> commands(const fs::path& page)
     std::vector<Command> commands;
     std::istringstream lines(contents(page));
     for (std::string line; std::getline(lines, line);) {
-        if (line.rfind("    lambent ", 0) != 0 || std::regex_search(line, std::regex(" [A-Z]{3,}")))
+        if (line.rfind("    lambent ", 0) != 0 || std::regex_search(line, std::regex(" \\[?[A-Z]{3,}")))
             continue;
         std::istringstream words(line.substr(12));
         commands.emplace_back(std::istream_iterator<std::string>(words),
