@@ -8,6 +8,8 @@
 #include "scene/parallel.h"
 #include "scene/transform.h"
 
+#include <glm/ext/matrix_transform.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -137,11 +139,18 @@ std::string first_loss(const Document& document, const NodeTree& nodes, const Pl
     return {};
 }
 
-// World from mesh. A skinned mesh is in the world by its joints, whatever its node; its instances move it from there.
+// World from mesh. A skinned mesh is in the world by its joints, whatever its node; its instances move it from there, about
+// the world's own origin.
 glm::dmat4 transform_of(const NodeTree& nodes, const Plan& plan, const Plan::Use& use, bool in_world)
 {
     const glm::dmat4 node = in_world ? glm::dmat4(1.0) : nodes.world[at(use.node)];
-    return use.instance < 0 ? node : node * plan.instances.at(use.node).transform(at(use.instance));
+    if (use.instance < 0)
+        return node;
+    const glm::dmat4 instance = plan.instances.at(use.node).transform(at(use.instance));
+    if (!in_world)
+        return node * instance;
+    return glm::translate(glm::dmat4(1.0), -nodes.origin) * instance *
+           glm::translate(glm::dmat4(1.0), nodes.origin);
 }
 
 // Instances that cannot be drawn as they stand.

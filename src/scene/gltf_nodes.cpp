@@ -278,6 +278,7 @@ void move_origin(NodeTree& nodes, const glm::dvec3& origin)
 {
     for (glm::dmat4& world : nodes.world)
         world[3] -= glm::dvec4(origin, 0.0);
+    nodes.origin += origin;
 }
 
 } // namespace lambent::scene

@@ -28,6 +28,7 @@ using Pose = std::map<int, NodePose>;
 
 struct NodeTree {
     std::vector<glm::dmat4> world; ///< of every node of the file: world from node; finite, affine
+    glm::dvec3 origin{0.0};        ///< the point of the world that places are relative to
     std::vector<int> drawn;        ///< nodes of the scene, parents before children, in the order of the file
     std::vector<bool> hidden;      ///< of every node of the file: its meshes and lights are not shown
     Pose pose;                     ///< what the transforms were made with

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace lambent::scene::test {
@@ -151,7 +152,7 @@ TEST(GltfInstancing, SmallFilesMayNotAskForMillions)
 }
 
 // Its joints place a skinned mesh; each instance moves it from there, and its node does not.
-TEST(GltfInstancing, SkinnedMeshesAreMovedFromWhereTheirJointsHaveThem)
+GltfBuilder skinned(const std::vector<double>& joint_at)
 {
     GltfBuilder builder;
     const int positions = builder.add_vec3({0, 0, 0, 1, 0, 0, 0, 1, 0}),
@@ -162,12 +163,33 @@ TEST(GltfInstancing, SkinnedMeshesAreMovedFromWhereTheirJointsHaveThem)
     json& node = builder.document["nodes"][0];
     node["skin"] = 0;
     node["translation"] = {0, 0, 50};
-    const int joint = builder.add_node({{"translation", {0, 7, 0}}});
+    const int joint = builder.add_node({{"translation", joint_at}});
     builder.document["skins"] = json::array({{{"joints", {joint}}}});
+    return builder;
+}
+
+TEST(GltfInstancing, SkinnedMeshesAreMovedFromWhereTheirJointsHaveThem)
+{
+    GltfBuilder builder = skinned({0, 7, 0});
     attributes_of(builder) = {{"TRANSLATION", builder.add_vec3({1, 0, 0, 2, 0, 0})}};
     const Scene scene = load(builder);
     ASSERT_EQ(scene.instances.size(), 2u);
     expect_near(moved(scene, 1, scene.meshes.at(0).positions[0]), {2, 7, 0});
+}
+
+// A quarter of a turn about +Y, about the world's origin, however far the skin is: (x, y, z) comes to (z, y, -x).
+TEST(GltfInstancing, SkinnedMeshesFarAwayTurnAboutTheWorldsOrigin)
+{
+    GltfBuilder builder = skinned({4.5e6, 7, 0});
+    const float half = std::sqrt(0.5f);
+    attributes_of(builder) = {{"ROTATION", builder.add_vec4({0, half, 0, half})}};
+    const Scene scene = load(builder);
+    ASSERT_EQ(scene.instances.size(), 1u);
+    const glm::dvec3 place = scene.origin + glm::dvec3(moved(scene, 0, scene.meshes.at(0).positions[0]));
+    // The rotation is given in floats: it is off by up to 1e-7 of the distance.
+    EXPECT_NEAR(place.x, 0.0, 1.0);
+    EXPECT_NEAR(place.y, 7.0, 1e-3);
+    EXPECT_NEAR(place.z, -4.5e6, 1.0);
 }
 
 // From x = 0 to x = 10 in a second; the instance without size is kept, out of sight, at every moment.
