@@ -43,7 +43,9 @@ void check_mesh(const Mesh& mesh, const Scene& scene)
     for (const std::uint32_t point : mesh.points)
         require(point < vertices);
     for (std::size_t i = 0; i < vertices; ++i) {
-        require(std::isfinite(mesh.positions[i].x + mesh.positions[i].y + mesh.positions[i].z));
+        // Each by itself: of what is too far away to be drawn, and is kept out of sight, the sum may overflow.
+        const glm::vec3 p = mesh.positions[i];
+        require(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
         if (mesh.normals.empty())
             continue;
         const glm::vec3 n = mesh.normals[i];
