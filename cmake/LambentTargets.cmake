@@ -36,8 +36,9 @@ endif()
 # lambent_library(NAME SOURCES a.cpp ... [ALONE b.cpp ...] [COLD [HOT c.cpp ...]]
 #                 [DEPENDS target ...] [PRIVATE_DEPENDS target ...])
 # A static library of one folder under src/, included as "folder/file.h". ALONE are those of SOURCES that are compiled
-# for several processors, hold another library's code, or make GCC see what is not there when it inlines them elsewhere. COLD: the program spends no time in it, so the compiler spends
-# less, too; but for the HOT of its SOURCES, which look at every pixel.
+# for several processors, hold another library's code, or make GCC see what is not there when it inlines them elsewhere.
+# COLD: the program spends no time in it, so the compiler spends less, too; but for the HOT of its SOURCES, which look at
+# every pixel.
 function(lambent_library name)
   cmake_parse_arguments(ARG "COLD" "" "SOURCES;ALONE;HOT;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   add_library(lambent_${name} STATIC ${ARG_SOURCES})

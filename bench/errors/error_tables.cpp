@@ -81,7 +81,8 @@ void write_tables(const Request& request)
     std::ofstream out(request.output);
     for (const std::string& scene : request.scenes)
         for (const char* model : {"ggx", "phong"}) {
-            out << "\n### " << short_name(scene) << ", " << model << ", " << request.width << "x" << request.width * 9 / 16 << "\n\n"
+            out << "\n### " << short_name(scene) << ", " << model << ", " << request.width << "x"
+                << request.width * 9 / 16 << "\n\n"
                 << "| environment | 40 samples | 1024 samples | 40, not cut | 1024, not cut | 40, against "
                    "full light "
                    "|\n| --- | --- | --- | --- | --- | --- |\n";

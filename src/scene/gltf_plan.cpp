@@ -77,8 +77,8 @@ private:
         const std::size_t primitives = std::max<std::size_t>(range.end - range.begin, 1);
         const auto most = std::min<std::uint64_t>(
             most_node_instances, free_node_instances + document_.buffer_bytes() / bytes_per_node_instance);
-        auto instances = read_instances(
-            document_, node, (static_cast<std::size_t>(most) - instanced_) / primitives, losses_);
+        auto instances = read_instances(document_, node,
+                                        (static_cast<std::size_t>(most) - instanced_) / primitives, losses_);
         if (!instances)
             return false;
         instanced_ += instances->count * primitives;

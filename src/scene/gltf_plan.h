@@ -27,11 +27,12 @@ struct Plan {
     std::vector<int> materials; ///< of each request, as the file numbers them
     std::vector<bool> still;    ///< of each request, whether its shape is the same at every moment
     std::vector<Use> uses;
-    std::map<int, NodeInstances> instances;      ///< by node
-    std::map<int, std::vector<glm::mat4>> skins; ///< by skin: world from mesh for each joint; none where it is broken
-    std::size_t without_positions = 0;           ///< primitives left out
-    std::size_t odd_weights = 0;                 ///< primitives with another number of targets than weights
-    std::string first_loss; ///< the first fault that cost a primitive or mesh; empty: none
+    std::map<int, NodeInstances> instances; ///< by node
+    std::map<int, std::vector<glm::mat4>>
+        skins;                         ///< by skin: world from mesh for each joint; none where it is broken
+    std::size_t without_positions = 0; ///< primitives left out
+    std::size_t odd_weights = 0;       ///< primitives with another number of targets than weights
+    std::string first_loss;            ///< the first fault that cost a primitive or mesh; empty: none
 
     Plan() = default;
     Plan(Plan&&) = default;
