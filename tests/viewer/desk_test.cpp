@@ -61,6 +61,33 @@ TEST(Desk, WhatIsSavedIsWhatTheShownCommandWrites)
     check("jpg");
 }
 
+// A shape that takes long to build: the old one is shown while it moves, but is neither what rests nor what is saved.
+TEST(Desk, WhatIsSavedWaitsForWhatIsLoaded)
+{
+    Stock stock({.cache = false});
+    Desk desk(stock);
+    Seat seat(desk, stock, small_wish("sphere"));
+    seat.wait_for(Picture::Kind::rest, 0);
+    seat.change(1, [](Wish& wish, const Eye::World&) {
+        wish.values.set("model", "phong");
+        wish.values.set("kd", "0.1,0.7,0.3");
+        wish.density = "4";
+    });
+    seat.session->save("png");
+    desk.nudge();
+    const Picture rest = seat.wait_for(Picture::Kind::rest, 1);
+    ASSERT_TRUE(seat.audience->wait([&] { return !seat.audience->saved.empty(); }));
+    const Saved saved = seat.audience->saved.front();
+    const testing::Folder folder;
+    EXPECT_EQ(saved.bytes, rendered(saved.command, folder)) << saved.command;
+    const image::CodeImage written = image::read_codes(folder.path("picture.png"));
+    const std::size_t middle =
+        static_cast<std::size_t>(written.width * (written.height / 2) + written.width / 2);
+    for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_EQ(rest.codes.bytes[static_cast<std::size_t>(rest.codes.channels) * middle + c],
+                  written.bytes[4 * middle + c]);
+}
+
 TEST(Desk, MovesAreShownSoonerAndSmallerThanWhatRests)
 {
     Stock stock({.cache = false});

@@ -194,8 +194,8 @@ void Session::save(const std::string& kind)
         throw Error(Failure::usage, "save: a picture is being saved already");
     save_kind_ = kind;
     ++unsaved_;
-    if (has_things_)
-        plan_save();
+    if (find_things(wish_))
+        plan_asked_save();
 }
 
 void Session::seen()

@@ -169,6 +169,7 @@ private:
     std::optional<Plan::Task> task_now(Clock::time_point now, Clock::time_point& wake, bool may_be_long);
     std::optional<Plan::Task> long_task_now(Clock::time_point now, Clock::time_point& wake);
     Plan planned(Plan::Task task);
+    void plan_asked_save();
     void plan_save();
     std::optional<Plan> plan_now(Clock::time_point now, Clock::time_point& wake, bool may_be_long);
     Playing playing_now() const;
@@ -187,6 +188,7 @@ private:
     Opening opening_;
     std::string file_error_, error_;             ///< of what is watched; of what was asked for last
     bool pending_ = true;                        ///< what is wished is still being loaded
+    bool is_wished_ = false;                     ///< what is there is what is wished
     bool announce_ = true;                       ///< the state is to be said
     std::string save_kind_;                      ///< is to be saved when there is something to be seen
     std::deque<Plan> saves_;                     ///< not begun, or paused

@@ -48,6 +48,7 @@ bool Session::find_things(const Wish& wish)
         begin_anew();
     }
     has_things_ = model_ && environment_;
+    is_wished_ = model.value && environment.value;
     return has_things_;
 }
 
@@ -127,7 +128,8 @@ std::optional<Plan::Task> Session::task_now(Clock::time_point now, Clock::time_p
         return Plan::Task::pick;
     if (drawn_serial_ != serial_)
         return Plan::Task::moving;
-    return may_be_long ? long_task_now(now, wake) : std::nullopt;
+    const bool is_coming = pending_ && !is_wished_; // what is there is only what was there before
+    return may_be_long && !is_coming ? long_task_now(now, wake) : std::nullopt;
 }
 
 // For what does not move.
@@ -143,6 +145,18 @@ std::optional<Plan::Task> Session::long_task_now(Clock::time_point now, Clock::t
     }
     const int samples = std::stoi(wish_.values["samples"]);
     return still_ != serial_ && samples > many_samples ? Plan::Task::still : Plan::Task::rest;
+}
+
+// As soon as what is wished is there: the picture is the one that its command writes.
+void Session::plan_asked_save()
+{
+    if (is_wished_) {
+        plan_save();
+    } else if (!pending_) {
+        save_kind_.clear();
+        --unsaved_;
+        set_error(text("nothing was saved: ", file_error_));
+    }
 }
 
 // What moves until it is drawn is not in it.
@@ -201,7 +215,7 @@ std::optional<Plan> Session::plan_now(Clock::time_point now, Clock::time_point& 
     if (!find_things(wish_))
         return std::nullopt;
     if (!save_kind_.empty())
-        plan_save();
+        plan_asked_save();
     const std::optional<Plan::Task> task = task_now(now, wake, may_be_long);
     if (!task)
         return std::nullopt;
