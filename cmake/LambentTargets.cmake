@@ -25,10 +25,10 @@ if(LAMBENT_FUZZ)
 endif()
 
 # Most of what a file of ours costs the compiler is the headers that it shares with its neighbours. So the files of a
-# folder are compiled twelve at a time, and the tests' headers once. Names in unnamed namespaces must therefore differ
+# folder are compiled sixteen at a time, and the tests' headers once. Names in unnamed namespaces must therefore differ
 # within a folder. Without (preset debug, which `./dev lint` builds), what a file forgot to include is found.
 option(LAMBENT_TOGETHER "Compile files together: less than half the time" ON)
-set(CMAKE_UNITY_BUILD_BATCH_SIZE 12)
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)
 if(NOT LAMBENT_TOGETHER)
   set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()

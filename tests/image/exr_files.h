@@ -1,6 +1,7 @@
 // OpenEXR files made with the OpenEXR library itself.
 #pragma once
 
+#include "image/openexr.h"
 #include "tests/image/temporary_folder.h"
 
 #include <ImfChannelList.h>
@@ -10,6 +11,7 @@
 #include <ImfStandardAttributes.h>
 #include <ImfTiledOutputFile.h>
 
+#include <algorithm>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -90,6 +92,17 @@ inline std::vector<std::uint8_t> make_exr(const ExrRecipe& recipe)
             file.writeTiles(0, file.numXTiles(level) - 1, 0, file.numYTiles(level) - 1, level);
     }
     return content_of(path);
+}
+
+/// The file's pixels, `portion` rows at a time.
+inline image::RadianceImage read_exr(const std::vector<std::uint8_t>& bytes, int portion = 1 << 16)
+{
+    const auto reader = image::open_exr(image::open_bytes(bytes, "test.exr"));
+    image::RadianceImage image{reader->width(), reader->height(), 3, {}};
+    image.values.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3);
+    for (int y = 0; y < image.height; y += portion)
+        reader->read_rows(std::min(portion, image.height - y), image.pixel(0, y));
+    return image;
 }
 
 } // namespace lambent::test

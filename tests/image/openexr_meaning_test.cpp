@@ -19,16 +19,6 @@ namespace {
 using namespace lambent::test;
 using Bytes = std::vector<std::uint8_t>;
 
-RadianceImage read(const Bytes& bytes, int portion = 1 << 16)
-{
-    const auto reader = open_exr(open_bytes(bytes, "test.exr"));
-    RadianceImage image{reader->width(), reader->height(), 3, {}};
-    image.values.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3);
-    for (int y = 0; y < image.height; y += portion)
-        reader->read_rows(std::min(portion, image.height - y), image.pixel(0, y));
-    return image;
-}
-
 Warnings warnings_of(const Bytes& bytes)
 {
     return open_exr(open_bytes(bytes, "test.exr"))->warnings();
@@ -52,7 +42,7 @@ void expect_windows(const Imath::Box2i& data, const Imath::Box2i& display, int t
     recipe.value = [](int x, int y, std::size_t channel) { return 1.0f + exr_value(x, y, channel); };
     const Bytes bytes = make_exr(recipe);
     for (const int portion : {1, 7, 1000}) {
-        const RadianceImage image = read(bytes, portion);
+        const RadianceImage image = read_exr(bytes, portion);
         ASSERT_EQ(image.width, display.max.x - display.min.x + 1);
         ASSERT_EQ(image.height, display.max.y - display.min.y + 1);
         for (int y = 0; y < image.height; ++y)
@@ -101,7 +91,7 @@ TEST(OpenExrMeaning, colours_are_brought_to_rec_709)
                                -0.1246f * 0.4f + 1.1329f * 0.3f - 0.0083f * 0.2f,
                                -0.0182f * 0.4f - 0.1006f * 0.3f + 1.1187f * 0.2f};
     const Bytes bytes = make_exr(recipe);
-    const RadianceImage image = read(bytes);
+    const RadianceImage image = read_exr(bytes);
     for (std::size_t i = 0; i < image.values.size(); ++i)
         ASSERT_NEAR(image.values[i], expected[i % 3], 1e-4f);
     EXPECT_TRUE(warnings_of(bytes).empty());
@@ -118,7 +108,7 @@ TEST(OpenExrMeaning, tristimulus_values_are_not_adapted)
     recipe.attributes = [](Imf::Header& header) {
         Imf::addChromaticities(header, {{1, 0}, {0, 1}, {0, 0}, {1.0f / 3, 1.0f / 3}});
     };
-    for (const float value : read(make_exr(recipe)).values)
+    for (const float value : read_exr(make_exr(recipe)).values)
         ASSERT_NEAR(value, 2.0f, 2e-3f);
 }
 
@@ -130,7 +120,7 @@ TEST(OpenExrMeaning, chromaticities_without_sense_are_warned_of)
         ExrRecipe recipe;
         recipe.attributes = [&](Imf::Header& header) { Imf::addChromaticities(header, odd); };
         const Bytes bytes = make_exr(recipe);
-        EXPECT_EQ(read(bytes).values, read(make_exr({})).values);
+        EXPECT_EQ(read_exr(bytes).values, read_exr(make_exr({})).values);
         const Warnings warnings = warnings_of(bytes);
         ASSERT_EQ(warnings.size(), 1u);
         EXPECT_EQ(warnings[0], "test.exr: its attribute chromaticities makes no sense; it is ignored");
@@ -163,7 +153,7 @@ TEST(OpenExrMeaning, luminance_and_chroma)
         }
         const Bytes bytes = content_of(path);
         for (const int portion : {5, 1000}) {
-            const RadianceImage image = read(bytes, portion);
+            const RadianceImage image = read_exr(bytes, portion);
             ASSERT_EQ(image.width, width + 4);
             for (int y = 6; y < height - 6; ++y)
                 for (int x = 6; x < width - 6; ++x)
@@ -297,7 +287,7 @@ TEST(OpenExrMeaning, an_envmap_without_sense_is_warned_of)
 TEST(OpenExrMeaning, maps_are_left_alone_where_no_panorama_is_asked_for)
 {
     const Bytes bytes = make_map(Imf::ENVMAP_CUBE, 4, 24);
-    EXPECT_EQ(read(bytes).width, 4);
+    EXPECT_EQ(read_exr(bytes).width, 4);
     EXPECT_EQ(inspect_exr(*open_bytes(bytes, "x")).height, 24);
     EXPECT_NE(inspect_exr(*open_bytes(bytes, "x")).detail.find("cube map"), std::string::npos);
 }

@@ -21,22 +21,12 @@ namespace {
 using namespace lambent::test;
 using Bytes = std::vector<std::uint8_t>;
 
-RadianceImage read(const Bytes& bytes, int portion = 1 << 16)
-{
-    const auto reader = open_exr(open_bytes(bytes, "test.exr"));
-    RadianceImage image{reader->width(), reader->height(), 3, {}};
-    image.values.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 3);
-    for (int y = 0; y < image.height; y += portion)
-        reader->read_rows(std::min(portion, image.height - y), image.pixel(0, y));
-    return image;
-}
-
 // `channels` are those of the recipe that red, green and blue must come from.
 void expect_read(const ExrRecipe& recipe, const std::array<std::size_t, 3>& channels, float tolerance = 0)
 {
     const Bytes bytes = make_exr(recipe);
     for (const int portion : {1, 5, 1000}) {
-        const RadianceImage image = read(bytes, portion);
+        const RadianceImage image = read_exr(bytes, portion);
         ASSERT_EQ(image.width, recipe.width);
         ASSERT_EQ(image.height, recipe.height);
         for (int y = 0; y < image.height; ++y)
@@ -139,7 +129,7 @@ TEST(OpenExr, the_first_part_with_colour)
             output.writePixels(2);
         }
     }
-    EXPECT_EQ(read(content_of(path)).values, std::vector<float>(24, 1.5f));
+    EXPECT_EQ(read_exr(content_of(path)).values, std::vector<float>(24, 1.5f));
 }
 
 TEST(OpenExr, describes_a_file)
@@ -189,7 +179,7 @@ TEST(OpenExr, reads_what_it_writes_and_nan_and_infinity_unchanged)
         image.values.push_back(std::ldexp(static_cast<float>(i % 977) - 100.0f, i % 200 - 100));
     image.values[10] = std::numeric_limits<float>::infinity();
     image.values[11] = std::numeric_limits<float>::quiet_NaN();
-    const RadianceImage back = read(encode_exr(image));
+    const RadianceImage back = read_exr(encode_exr(image));
     ASSERT_EQ(back.values.size(), image.values.size());
     EXPECT_EQ(std::memcmp(back.values.data(), image.values.data(), image.values.size() * sizeof(float)), 0);
 }
