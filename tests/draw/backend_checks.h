@@ -49,4 +49,7 @@ void expect_backgrounds_to_average(const Draw& draw);
 /// A blurred background keeps the light of a sun, whatever the blur.
 void expect_blurs_to_keep_light(const Draw& draw);
 
+/// Lights that are taken together stay as wide as they were.
+void expect_merged_lamps_to_spread(const Draw& draw);
+
 } // namespace lambent::draw::testing

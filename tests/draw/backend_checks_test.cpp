@@ -55,6 +55,10 @@ TEST(OnTheProcessor, BlursKeepLight)
 {
     expect_blurs_to_keep_light(draw);
 }
+TEST(OnTheProcessor, MergedLampsSpread)
+{
+    expect_merged_lamps_to_spread(draw);
+}
 
 } // namespace
 } // namespace lambent::draw::testing

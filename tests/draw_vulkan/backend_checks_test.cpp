@@ -84,6 +84,10 @@ TEST_F(OnADevice, BlursKeepLight)
 {
     expect_blurs_to_keep_light(draw);
 }
+TEST_F(OnADevice, MergedLampsSpread)
+{
+    expect_merged_lamps_to_spread(draw);
+}
 
 } // namespace
 } // namespace lambent::draw::testing
