@@ -60,8 +60,13 @@ LAMBENT_EACH_INSTRUCTION_SET(InstructionSets);
 // What the program says of its device is what its kernels run on.
 TEST(InstructionLimit, ReachesTheKernels)
 {
+#ifdef LAMBENT_SANITIZED // there are kernels for two targets alone
+    const std::pair<const char*, const char*> targets[] = {
+        {"sse2", "SCALAR"}, {"sse4.2", "SCALAR"}, {"avx", "SCALAR"}, {"avx2", "AVX2"}, {"avx512", "AVX2"}};
+#else
     const std::pair<const char*, const char*> targets[] = {
         {"sse2", "SCALAR"}, {"sse4.2", "SSE4"}, {"avx", "SSE4"}, {"avx2", "AVX2"}, {"avx512", "AVX3"}};
+#endif
     const Workshop shop;
     int seen = 0;
     for (const auto& [set, target] : targets) {
