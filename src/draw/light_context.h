@@ -7,6 +7,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace lambent::draw {
@@ -21,6 +22,11 @@ struct LightSource {
     float cos_inner = -2.0f, cos_outer = -3.0f; ///< below -1: not a spot
 };
 
+/// The powers of ReportPipeline; see shading/pipeline_report.glsl.
+struct ReportPowers {
+    float decode, exposure, encode, back;
+};
+
 /// What all fragments of a picture share.
 struct LightContext {
     Model model = Model::ggx;
@@ -32,7 +38,8 @@ struct LightContext {
     glm::vec3 across{1.0f, 0.0f, 0.0f}; ///< to the right of the camera, unit length
     float rotation_cosine = 1.0f, rotation_sine = 0.0f;
     const SampleTables* tables = nullptr;
-    bool middle_level = false; ///< fill that column
+    std::optional<ReportPowers> pipeline; ///< the report's own; unset: light
+    bool middle_level = false;            ///< fill that column
 };
 
 } // namespace lambent::draw

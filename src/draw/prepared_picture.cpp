@@ -48,7 +48,7 @@ double level_of_background(const environment::Environment& environment, const Se
     const double pixel = glm::length(rays.direction_dx);
     const double texel = 6.283185307179586 / environment.panorama.width;
     const bool blurred = settings.background.kind == Background::Kind::blurred;
-    if (!blurred && pixel < 2.0 * texel)
+    if (!blurred && (settings.pipeline || pixel < 2.0 * texel))
         return -1.0;
     // A Gaussian of the lobe's width: for a view along the normal GGX's mirrored lobe has about 2 alpha.
     const double deviation = blurred ? std::pow(settings.background.roughness, 2) : 0.0;
@@ -69,6 +69,12 @@ LightSource light_source(const scene::Light& light)
         source.cos_outer = std::cos(light.outer_cone);
     }
     return source;
+}
+
+ReportPowers powers_of(const ReportPipeline& pipeline)
+{
+    const float gamma = pipeline.linear ? 2.2f : 1.0f;
+    return {gamma, pipeline.exposure, pipeline.contrast / gamma, 1.0f / gamma};
 }
 
 } // namespace
@@ -92,6 +98,8 @@ PreparedPicture::PreparedPicture(std::span<const scene::Light> scene_lights,
     light.rotation_cosine = std::cos(settings.environment_rotation);
     light.rotation_sine = std::sin(settings.environment_rotation);
     light.tables = &tables;
+    if (settings.pipeline)
+        light.pipeline = powers_of(*settings.pipeline);
     light.middle_level = settings.layers;
     if (environment)
         background_level = static_cast<float>(level_of_background(*environment, settings, rays));

@@ -47,6 +47,15 @@ HWY_INLINE vec3 panorama_row(PanoramaView p, Int left, Int right, Int y, Real fr
     return mix(a, b, fraction);
 }
 
+// The texel that holds a place, radiance over the panorama's scale, from panorama coordinates in [0, 1].
+HWY_INLINE vec3 panorama_nearest(PanoramaView p, vec2 uv)
+{
+    const Int last_x = integer(p.width - 1), last_y = integer(p.height - 1), zero = hn::Zero(IntTag());
+    const Int x = hn::Max(hn::Min(truncated(uv.x * Real(p.width)), last_x), zero);
+    const Int y = hn::Max(hn::Min(truncated(uv.y * Real(p.height)), last_y), zero);
+    return panorama_texel(p, x, y);
+}
+
 // Bilinear, radiance over the panorama's scale, from panorama coordinates in [0, 1].
 HWY_INLINE vec3 panorama_bilinear(PanoramaView p, vec2 uv)
 {

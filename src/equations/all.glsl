@@ -11,3 +11,4 @@
 #include "lobe_weight.glsl"
 #include "transfer.glsl"
 #include "tone.glsl"
+#include "report_tone.glsl"

@@ -1,6 +1,6 @@
 // Between light and code values, both in [0, 1], one channel.
 
-// a^b for a in [0, 1], b > 0; 0 stays 0. Witness: std::pow.
+// a^b for a >= 0, b > 0; 0 stays 0, and so does what is below. Witness: std::pow.
 Real power(Real a, Real b) { return select(a > 0.0, exp2(b * log2(max(a, 1.0e-30))), 0.0); }
 
 // The exact sRGB curve. [IEC 61966-2-1] Witness: published codes; continuity at the joint; round trip.

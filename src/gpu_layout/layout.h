@@ -24,7 +24,7 @@ static_assert(sizeof(InstanceRecord) == 128 && offsetof(InstanceRecord, sets) ==
 static_assert(sizeof(MeshRecord) == 32 && sizeof(UseRecord) == 48);
 static_assert(sizeof(MaterialRecord) == 352 && offsetof(MaterialRecord, uses) == 112);
 static_assert(sizeof(TextureRecord) == 288 && offsetof(TextureRecord, levels) == 32);
-static_assert(sizeof(PictureRecord) == 400 && offsetof(PictureRecord, layers) == 336);
+static_assert(sizeof(PictureRecord) == 416 && offsetof(PictureRecord, layers) == 352);
 static_assert(sizeof(PictureRecord::layers) == most_layers * sizeof(int));
 static_assert(sizeof(FragmentRecord) == 32 && sizeof(RasterConstants) == 80);
 static_assert(sizeof(BakeConstants) == 32);

@@ -14,6 +14,7 @@ const int model_ggx = 0;
 const int model_phong = 1;
 const int levels_matched = 0;
 const int levels_report = 1;
+const int levels_pipeline = 2; // the report's, in its own order of things
 
 // Fragments: value `column` of fragment i is at column * capacity + i.
 const int column_position = 0;

@@ -66,7 +66,8 @@ struct PictureRecord {
     vec4 background; // rgb; w: level of blur
     vec4 blur;       // of the two levels read: share and variance of the lamps that are not in them
     ivec4 behind;    // kind of background; size of the panorama
-    vec4 panorama;   // x: scale
+    vec4 panorama;   // x: scale; y: whether the pipeline is the report's, 0 or 1
+    vec4 report;     // its powers: decode, exposure, encode, back
     uvec4 addresses; // of the geometry; of the panorama
     ivec4 layers[4]; // most_layers times: 4 * column + how it is read; -1: the background
 };

@@ -4,3 +4,4 @@
 #include "surface.glsl"
 #include "specular_ggx.glsl"
 #include "specular_phong.glsl"
+#include "pipeline_report.glsl"

@@ -44,6 +44,40 @@ std::string render_refusal(std::vector<const char*> words)
     return refusal(std::move(words));
 }
 
+TEST(Arguments, TheReportsPipelineIsItsOwn)
+{
+    const RenderArguments plain = render({"--model", "phong", "--pipeline", "light", "--exposure", "3"});
+    EXPECT_FALSE(plain.settings.pipeline);
+    EXPECT_EQ(plain.display.exposure, 3.0f);
+    const RenderArguments whole =
+        render({"--model", "phong", "--pipeline", "report", "--exposure", "70", "--contrast", "2"});
+    ASSERT_TRUE(whole.settings.pipeline);
+    EXPECT_EQ(whole.settings.pipeline->exposure, 70.0f);
+    EXPECT_EQ(whole.settings.pipeline->contrast, 2.0f);
+    EXPECT_TRUE(whole.settings.pipeline->linear);
+    EXPECT_EQ(whole.settings.mip_level, draw::MipLevel::report);
+    EXPECT_EQ(whole.settings.texel_transfer, draw::TexelTransfer::none);
+    EXPECT_EQ(whole.settings.ambient_brightness, 2.0f);
+    // What is drawn are codes already.
+    EXPECT_EQ(whole.display.exposure, 1.0f);
+    EXPECT_EQ(whole.display.contrast, 1.0f);
+    EXPECT_EQ(whole.display.tone, display::Tone::linear);
+    EXPECT_FALSE(whole.display.encode);
+    const RenderArguments other = render(
+        {"--model", "phong", "--pipeline", "report", "--space", "nonlinear", "--ambient-brightness", "1"});
+    EXPECT_FALSE(other.settings.pipeline->linear);
+    EXPECT_EQ(other.settings.ambient_brightness, 1.0f);
+    const auto refused = [](std::vector<const char*> more) {
+        std::vector<const char*> words = {"render", "sphere", "-o", "x.png", "--pipeline", "report"};
+        words.insert(words.end(), more.begin(), more.end());
+        return refusal(words);
+    };
+    EXPECT_EQ(refused({}), "--pipeline report: only with --model phong");
+    EXPECT_NE(refused({"--model", "phong", "--mip-level", "matched"}), "");
+    EXPECT_NE(refused({"--model", "phong", "--tone", "agx"}), "");
+    EXPECT_NE(refusal({"reference", "sphere", "-o", "x.png", "--pipeline", "report"}), "");
+}
+
 TEST(Arguments, SplitSumIsFewSamplesWhateverTheirNumber)
 {
     EXPECT_EQ(render({"--ibl", "split-sum"}).settings.samples, draw::split_sum_samples);

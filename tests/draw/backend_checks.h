@@ -52,4 +52,10 @@ void expect_blurs_to_keep_light(const Draw& draw);
 /// Lights that are taken together stay as wide as they were.
 void expect_merged_lamps_to_spread(const Draw& draw);
 
+/// The report's own order of things: its sky, ambient, specular and direct light, in linear and nonlinear colour.
+void expect_the_reports_pipeline(const Draw& draw);
+
+/// Its samples show the texels that they read.
+void expect_the_reports_blocks(const Draw& draw);
+
 } // namespace lambent::draw::testing

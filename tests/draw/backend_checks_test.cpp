@@ -59,6 +59,14 @@ TEST(OnTheProcessor, MergedLampsSpread)
 {
     expect_merged_lamps_to_spread(draw);
 }
+TEST(OnTheProcessor, TheReportsPipeline)
+{
+    expect_the_reports_pipeline(draw);
+}
+TEST(OnTheProcessor, TheReportsBlocks)
+{
+    expect_the_reports_blocks(draw);
+}
 
 } // namespace
 } // namespace lambent::draw::testing

@@ -88,6 +88,14 @@ TEST_F(OnADevice, MergedLampsSpread)
 {
     expect_merged_lamps_to_spread(draw);
 }
+TEST_F(OnADevice, TheReportsPipeline)
+{
+    expect_the_reports_pipeline(draw);
+}
+TEST_F(OnADevice, TheReportsBlocks)
+{
+    expect_the_reports_blocks(draw);
+}
 
 } // namespace
 } // namespace lambent::draw::testing

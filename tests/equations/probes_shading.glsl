@@ -39,6 +39,8 @@ vec3 environment_report_radiance(Environment e, vec3 d, Real level)
     return e.brightness * vec3(1.5 + n.y, 1.5 + 0.5 * n.x * n.z, 1.0 / (2.0 + min(level, 8.0)));
 }
 
+vec3 environment_report_texel(Environment e, vec3 d, Real level) { return environment_report_radiance(e, d, level); }
+
 struct LightSum {
     vec3 first;
     vec3 second;
@@ -120,6 +122,18 @@ Outputs shading_phong_report(Inputs i)
     vec3 V = view_near(N, i);
     Phong p = {vec3(i.e), vec3(i.f, i.g, i.h), decades(i.e, 0.01, 1000.0)};
     return outputs(specular_phong_report(formula(1.0), p, N, V, mirrored(vec3(0.6, 0.0, 0.8), V)), i.h);
+}
+
+Outputs shading_pipeline_report(Inputs i)
+{
+    vec3 N = direction(i.a, i.b);
+    vec3 V = view_near(N, i);
+    Phong p = {vec3(i.e), vec3(i.f, i.g, i.h), decades(i.e, 0.01, 1000.0)};
+    ReportTone t = {1.0 + 1.2 * i.f, decades(i.g, 0.1, 1000.0), 0.4 + i.h, 0.45 + 0.55 * i.f};
+    vec3 ambient = ambient_report(t, vec3(i.a, i.b, i.c), vec3(i.d, i.e, i.f), 2.0 * i.g);
+    return outputs(specular_pipeline_report(formula(1.0), t, p, N, V, mirrored(vec3(0.6, 0.0, 0.8), V)) + 0.1 * ambient,
+                   toned_report(t, vec3(4.0 * i.h, i.a, i.b)).x +
+                       0.1 * middle_level_pipeline(formula(1.0), p.exponent) + 0.01 * first_term_of_pipeline(formula(1.0)));
 }
 
 Outputs shading_middle_levels(Inputs i)

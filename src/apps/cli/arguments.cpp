@@ -85,8 +85,8 @@ EnvArguments finished(const Words& words, EnvArguments arguments)
 struct Grammar {
     CommandLine line{{"lambent", about, text("lambent ", version), footer}};
     Words words;
-    PictureGrammar picture; ///< of render, or of reference
-    std::string output, layers;
+    PictureGrammar picture;               ///< of render, or of reference
+    std::string output, layers, pipeline; ///< the last two of render
     ReferenceArguments reference;
     EnvArguments env;
     InfoArguments info;
@@ -124,6 +124,8 @@ struct Grammar {
         add_picture(render_command);
         option(render_command, "--layers", layers, "DIR",
                "Also write each layer of the G-buffer and of the light");
+        option(render_command, "--pipeline", pipeline, "WHOSE",
+               "light, added up and then shown, or the 2014 report's own (light)");
     }
 
     void add_reference(Command& app)
@@ -153,6 +155,8 @@ struct Grammar {
     RenderArguments picture_result() const
     {
         RenderArguments arguments = picture.result();
+        if (!pipeline.empty() && choose<bool>(pipeline, "--pipeline", {{"light", false}, {"report", true}}))
+            picture.use_report_pipeline(arguments);
         arguments.output = output;
         arguments.layers = layers;
         return arguments;

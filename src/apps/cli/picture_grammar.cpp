@@ -249,6 +249,28 @@ RenderArguments PictureGrammar::result() const
     return arguments;
 }
 
+void PictureGrammar::use_report_pipeline(RenderArguments& arguments) const
+{
+    draw::Settings& settings = arguments.settings;
+    display::Settings& display = arguments.display;
+    if (settings.model != draw::Model::phong)
+        throw Error(Failure::usage, "--pipeline report: only with --model phong");
+    if (!words_.mip_level.empty() && settings.mip_level != draw::MipLevel::report)
+        throw Error(Failure::usage,
+                    "--pipeline report: its levels are the report's, not --mip-level matched");
+    if (display.tone != display::Tone::reinhard)
+        throw Error(Failure::usage, "--pipeline report: its tone curve is the report's: no --tone");
+    settings.pipeline = draw::ReportPipeline{display.exposure, display.contrast, display.encode};
+    settings.mip_level = draw::MipLevel::report;
+    settings.texel_transfer = draw::TexelTransfer::none; // its passes decode
+    if (words_.ambient.empty())
+        settings.ambient_brightness = 2.0f;
+    // What is drawn are codes.
+    display.exposure = display.contrast = 1.0f;
+    display.tone = display::Tone::linear;
+    display.encode = false;
+}
+
 StartArguments PictureGrammar::start() const
 {
     StartArguments start{result(), words_.given(), words_.lights};

@@ -33,6 +33,9 @@ public:
     /// Without an output. Throws Error(usage).
     RenderArguments result() const;
 
+    /// Makes a result one of the report's own order of things. Throws Error(usage) for what it does not go with.
+    void use_report_pipeline(RenderArguments& arguments) const;
+
     /// The same for viewers, with the words. Throws Error(usage).
     StartArguments start() const;
 

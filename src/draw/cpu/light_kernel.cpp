@@ -132,6 +132,17 @@ HWY_INLINE vec3 environment_report_radiance(const Environment& e, vec3 d, Real l
     return sum;
 }
 
+HWY_INLINE vec3 environment_report_texel(const Environment& e, vec3 d, Real level)
+{
+    const vec2 uv = equirectangular_from_direction(normalize(d));
+    const Real nearest = floor(min(level, e.mip_levels - 1) + 0.5);
+    vec3 sum(0.0);
+    for (int i = 0; i < e.mip_levels; ++i)
+        if (const auto here = abs(nearest - Real(i)) < 0.5; any(here))
+            sum += select(here, Real(e.mips[i].scale) * panorama_nearest(view(e.mips[i]), uv), vec3(0.0));
+    return sum;
+}
+
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function" // surfaces are found elsewhere
 #include "shading/all.glsl"
@@ -200,6 +211,12 @@ void add_direct(const LightContext& c, std::span<const LightSource> lights, size
     store3(sum, f, direct_r, at);
 }
 
+ReportTone report_tone(const LightContext& c)
+{
+    const ReportPowers& p = *c.pipeline;
+    return {p.decode, p.exposure, p.encode, p.back};
+}
+
 void add_ambient(const LightContext& c, size_t at, Fragments& f)
 {
     const environment::IrradianceMap& map = c.environment->irradiance;
@@ -213,7 +230,9 @@ void add_ambient(const LightContext& c, size_t at, Fragments& f)
     }
     const Real brightness = Real(c.ambient_brightness) * load(f[occlusion] + at);
     store3(irradiance, f, irradiance_r, at);
-    store3(ambient_light(diffuse, irradiance, brightness), f, ambient_r, at);
+    store3(c.pipeline ? ambient_report(report_tone(c), diffuse, irradiance, brightness)
+                      : ambient_light(diffuse, irradiance, brightness),
+           f, ambient_r, at);
 }
 
 Mirror mirror_at(const LightContext& c, const Fragments& f, size_t at)
@@ -235,8 +254,9 @@ void add_specular_phong(const LightContext& c, const Environment& e, size_t at, 
     const vec3 N = turned(c, load3(f, shading_x, at)), V = turned(c, load3(f, view_x, at));
     const vec3 across = turned(c, uniform(c.across));
     const Phong p = phong_at(f, at);
-    store3(c.mip_level == MipLevel::report ? specular_phong_report(e, p, N, V, across)
-                                           : specular_phong(e, p, N, V, across),
+    store3(c.pipeline                        ? specular_pipeline_report(e, report_tone(c), p, N, V, across)
+           : c.mip_level == MipLevel::report ? specular_phong_report(e, p, N, V, across)
+                                             : specular_phong(e, p, N, V, across),
            f, reflected_r, at);
 }
 
@@ -262,6 +282,7 @@ void find_middle_level(const LightContext& c, const Environment& e, size_t at, F
     const Real exponent = load(f[gloss] + at);
     const bool report = c.model == Model::phong && c.mip_level == MipLevel::report;
     const Real level = c.model == Model::ggx ? middle_level_ggx(e, mirror_at(c, f, at))
+                       : c.pipeline          ? middle_level_pipeline(e, exponent)
                        : report              ? middle_level_report(e, exponent)
                                              : middle_level_phong(e, exponent);
     store(part_of_levels(level, Real((report ? e.mip_levels : e.levels) - 1)), f[middle_level] + at);
@@ -344,10 +365,12 @@ HWY_FLATTEN void light_background(const LightContext& context, const RayMap& ray
     for (int x = 0; x < row.count; x += static_cast<int>(lane_count)) {
         const Real place = Real(hn::Iota(FloatTag(), static_cast<float>(row.first_x + x))) + 0.5;
         const vec3 d = turned(context, normalize(start + place * uniform(rays.direction_dx)));
-        const vec3 c =
+        vec3 c =
             row.level < 0.0f
                 ? Real(e.panorama.scale) * panorama_bilinear(picture, equirectangular_from_direction(d))
                 : Real(e.chain.scale) * cube_trilinear(chain, d, row.level) + lamps_blurred(e, d, row.level);
+        if (context.pipeline)
+            c = toned_report(report_tone(context), c);
         store(c.x, rgb[0] + x);
         store(c.y, rgb[1] + x);
         store(c.z, rgb[2] + x);

@@ -41,16 +41,22 @@ vec3 lamps_blurred(vec3 d, float share, float variance)
     return sum;
 }
 
-vec3 background_light(vec2 place)
+vec3 environment_light(vec2 place)
 {
-    if (picture.behind.x == background_color)
-        return picture.background.rgb;
     vec3 d = turned(normalize(picture.direction.xyz + place.x * picture.direction_dx.xyz +
                               place.y * picture.direction_dy.xyz));
     if (picture.behind.x == background_panorama)
         return panorama_light(d);
     return picture.chain.x * textureLod(chain, d, picture.background.w).rgb +
            lamps_blurred(d, picture.blur.x, picture.blur.y) + lamps_blurred(d, picture.blur.z, picture.blur.w);
+}
+
+vec3 background_light(vec2 place)
+{
+    if (picture.behind.x == background_color)
+        return picture.background.rgb;
+    vec3 light = environment_light(place);
+    return picture.panorama.y > 0.0 ? toned_report(report_tone(), light) : light;
 }
 
 void main()

@@ -81,3 +81,5 @@ vec3 turned(vec3 d)
     float s = picture.rotation.y;
     return vec3(c * d.x - s * d.z, d.y, s * d.x + c * d.z);
 }
+
+ReportTone report_tone() { return ReportTone(picture.report.x, picture.report.y, picture.report.z, picture.report.w); }

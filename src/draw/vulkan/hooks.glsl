@@ -51,6 +51,14 @@ vec3 mip_bilinear(vec2 uv, int level)
     return mix(above, below, share.y);
 }
 
+vec3 environment_report_texel(Environment e, vec3 d, float level)
+{
+    int nearest = int(floor(min(level, float(textureQueryLevels(mips) - 1)) + 0.5));
+    ivec2 size = max(textureSize(mips, 0) >> nearest, ivec2(1));
+    vec2 place = equirectangular_from_direction(normalize(d)) * vec2(size);
+    return texelFetch(mips, clamp(ivec2(place), ivec2(0), size - 1), nearest).rgb;
+}
+
 vec3 environment_report_radiance(Environment e, vec3 d, float level)
 {
     vec2 uv = equirectangular_from_direction(normalize(d));

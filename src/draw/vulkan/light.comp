@@ -140,7 +140,9 @@ void add_ambient(uint at)
         diffuse = reflectance_metallic(m, albedo_of(dot(N, load3(column_view, at)), m.alpha)).diffuse;
     }
     store3(irradiance, column_irradiance, at);
-    store3(ambient_light(diffuse, irradiance, picture.rotation.z * load(column_occlusion, at)), column_ambient, at);
+    float brightness = picture.rotation.z * load(column_occlusion, at);
+    store3(levels == levels_pipeline ? ambient_report(report_tone(), diffuse, irradiance, brightness)
+                                     : ambient_light(diffuse, irradiance, brightness), column_ambient, at);
 }
 
 Mirror mirror_at(uint at)
@@ -158,6 +160,8 @@ vec3 reflected_phong(Environment e, uint at)
     vec3 V = turned(load3(column_view, at));
     vec3 across = turned(picture.across.xyz);
     Phong p = phong_at(at);
+    if (levels == levels_pipeline)
+        return specular_pipeline_report(e, report_tone(), p, N, V, across);
     if (levels == levels_report)
         return specular_phong_report(e, p, N, V, across);
     return specular_phong(e, p, N, V, across);
@@ -177,6 +181,8 @@ float middle_level(Environment e, uint at)
     float exponent = load(column_gloss, at);
     if (model == model_ggx)
         return part_of_levels(middle_level_ggx(e, mirror_at(at)), float(textureQueryLevels(chain) - 1));
+    if (levels == levels_pipeline)
+        return part_of_levels(middle_level_pipeline(e, exponent), float(textureQueryLevels(mips) - 1));
     if (levels == levels_report)
         return part_of_levels(middle_level_report(e, exponent), float(textureQueryLevels(mips) - 1));
     return part_of_levels(middle_level_phong(e, exponent), float(textureQueryLevels(chain) - 1));

@@ -109,7 +109,9 @@ const vulkan::ComputePipeline& Passes::surfaces()
 const vulkan::ComputePipeline& Passes::light(int pass)
 {
     static_assert(constant_pass == 0 && constant_levels == 2);
-    const int levels = choice_.mip_level == MipLevel::report ? levels_report : levels_matched;
+    const int levels = choice_.is_pipeline                     ? levels_pipeline
+                       : choice_.mip_level == MipLevel::report ? levels_report
+                                                               : levels_matched;
     const std::array constants = {static_cast<uint>(pass), model_of(choice_), static_cast<uint>(levels)};
     return made(light_[pass], light_code, constants);
 }

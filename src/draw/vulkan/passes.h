@@ -13,8 +13,9 @@ struct PassChoice {
     int looks = 1; ///< per pixel, the one through its middle being the last
     Model model = Model::ggx;
     MipLevel mip_level = MipLevel::matched;
-    bool textured = true; ///< whether anything is
-    bool through = true;  ///< whether anything can be seen through
+    bool is_pipeline = false; ///< of the report
+    bool textured = true;     ///< whether anything is
+    bool through = true;      ///< whether anything can be seen through
 
     bool operator==(const PassChoice&) const = default;
 };

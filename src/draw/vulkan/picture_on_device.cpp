@@ -55,6 +55,10 @@ PictureRecord record_of(const LightContext& c, std::size_t lights)
                   c.energy_compensation ? 1.0f : 0.0f};
     p.fragments.z = static_cast<int>(lights);
     p.samples = {static_cast<int>(c.tables->cap.size()), environment::albedo_table_size, 0, 0};
+    if (c.pipeline) {
+        p.panorama.y = 1.0f;
+        p.report = {c.pipeline->decode, c.pipeline->exposure, c.pipeline->encode, c.pipeline->back};
+    }
     if (!c.environment)
         return p;
     const environment::CubeChain& chain = c.environment->chain;

@@ -69,7 +69,10 @@ public:
         const Settings& settings = picture.settings;
         prepare_scene(settings.texel_transfer);
         const PassChoice choice = {static_cast<int>(look_places(picture.prepared.edges).size()),
-                                   settings.model, settings.mip_level, !first_.images.empty(),
+                                   settings.model,
+                                   settings.mip_level,
+                                   settings.pipeline.has_value(),
+                                   !first_.images.empty(),
                                    prepared_->transparent()};
         const std::size_t layers = picture.frame.layers.size() + (prepared_->has_unlit() ? 1 : 0);
         const TileShape shape = tile_shape(device_, settings, choice.looks, static_cast<int>(layers));

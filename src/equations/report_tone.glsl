@@ -1,0 +1,17 @@
+// What the report makes of every value that it reads of its environment (docs/REPORT.md).
+
+// decode: power of what is read, 2.2, or 1 in nonlinear colour. exposure: e. encode: power of the curve, K / 2.2, or K.
+// back: power of the specular pass's mean, 1 / 2.2, or 1.
+struct ReportTone {
+    Real decode;
+    Real exposure;
+    Real encode;
+    Real back;
+};
+
+// (e C / (e C + 1))^encode of a value read, C = read^decode, per channel. Witness: std::pow, in double.
+vec3 toned_report(ReportTone t, vec3 read)
+{
+    vec3 c = min(t.exposure * power(read, t.decode), vec3(1.0e30));
+    return power(vec3(c.x / (c.x + 1.0), c.y / (c.y + 1.0), c.z / (c.z + 1.0)), t.encode);
+}
