@@ -119,6 +119,34 @@ double mean_saturation(const image::CodeImage& codes, const image::RadianceImage
     return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
+Look look_of(const image::CodeImage& codes)
+{
+    const std::size_t pixels = static_cast<std::size_t>(codes.width) * static_cast<std::size_t>(codes.height);
+    Look sum{};
+    for (std::size_t i = 0; i < pixels; ++i) {
+        const std::uint8_t* const code = code_of(codes, i);
+        const int most = std::max({code[0], code[1], code[2]}), least = std::min({code[0], code[1], code[2]});
+        sum.mean += (code[0] + code[1] + code[2]) / 765.0;
+        sum.saturation += most > 0 ? static_cast<double>(most - least) / most : 0.0;
+        sum.blank += least >= 250 ? 1.0 : 0.0;
+        sum.black += most <= 25 ? 1.0 : 0.0;
+    }
+    const double share = pixels > 0 ? 1.0 / static_cast<double>(pixels) : 0.0;
+    return {share * sum.mean, share * sum.saturation, share * sum.blank, share * sum.black};
+}
+
+double code_difference(const image::CodeImage& a, const image::CodeImage& b)
+{
+    if (a.width != b.width || a.height != b.height || a.bits != 8 || b.bits != 8)
+        throw std::invalid_argument("codes of different size");
+    const std::size_t pixels = static_cast<std::size_t>(a.width) * static_cast<std::size_t>(a.height);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < pixels; ++i)
+        for (std::size_t c = 0; c < 3; ++c)
+            sum += std::pow((code_of(a, i)[c] - code_of(b, i)[c]) / 255.0, 2.0);
+    return pixels > 0 ? std::sqrt(sum / (3.0 * static_cast<double>(pixels))) : 0.0;
+}
+
 double kept_hue_order(const image::CodeImage& codes, const image::RadianceImage& light)
 {
     check_same_size(codes, light);

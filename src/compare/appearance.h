@@ -12,6 +12,18 @@ double displayed_luminance(const image::CodeImage& codes);
 /// (RGBA); black counts as 0. [Smith 1978, HSV]
 double mean_saturation(const image::CodeImage& codes, const image::RadianceImage& light);
 
+/// How a picture of 8-bit codes looks, over all of its pixels.
+struct Look {
+    double mean;       ///< of the codes, 0 to 1
+    double saturation; ///< (max - min) / max, 0 to 1; black counts as 0
+    double blank;      ///< share of pixels whose channels are all at least 250
+    double black;      ///< share of pixels whose channels are all at most 25
+};
+Look look_of(const image::CodeImage& codes);
+
+/// RMS difference of the 8-bit codes of two pictures of one size, in parts of 255.
+double code_difference(const image::CodeImage& a, const image::CodeImage& b);
+
 /// Of the tenth of all pixels with the most light: the share in which no two channels have changed their order between
 /// light and codes. Two that became equal have not.
 double kept_hue_order(const image::CodeImage& codes, const image::RadianceImage& light);

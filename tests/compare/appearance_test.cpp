@@ -36,6 +36,36 @@ std::array<double, 4> grey(double v)
     return {v, v, v, 1.0};
 }
 
+TEST(Appearance, LooksAreMeansAndSharesOfAllPixels)
+{
+    const image::CodeImage image = codes_of(4, 1, [](int x, int) {
+        return std::array{std::array{255, 250, 252}, std::array{0, 0, 0}, std::array{25, 20, 5},
+                          std::array{200, 100, 50}}[static_cast<std::size_t>(x)];
+    });
+    const Look look = look_of(image);
+    EXPECT_NEAR(look.mean, (757.0 + 50.0 + 350.0) / (4.0 * 765.0), 1e-12);
+    EXPECT_NEAR(look.saturation, (5.0 / 255.0 + 0.8 + 0.75) / 4.0, 1e-12);
+    EXPECT_EQ(look.blank, 0.25);
+    EXPECT_EQ(look.black, 0.5);
+}
+
+TEST(Appearance, CodesDifferByTheirRootMeanSquare)
+{
+    const auto three = codes_of(2, 1, [](int x, int) {
+        return x == 0 ? std::array{10, 20, 30} : std::array{0, 255, 7};
+    });
+    const auto other = codes_of(2, 1, [](int x, int) {
+        return x == 0 ? std::array{13, 20, 26} : std::array{12, 255, 7};
+    });
+    EXPECT_NEAR(code_difference(three, other), std::sqrt((9.0 + 16.0 + 144.0) / 6.0) / 255.0, 1e-12);
+    EXPECT_EQ(code_difference(three, three), 0.0);
+    EXPECT_THROW(code_difference(three, codes_of(1, 1,
+                                                 [](int, int) {
+                                                     return std::array{0, 0, 0};
+                                                 })),
+                 std::invalid_argument);
+}
+
 TEST(Appearance, LuminanceIsWhatAnSrgbDisplayShows)
 {
     // Half white, half the code 188, which is 0.5029 of white [IEC 61966-2-1: ((188/255 + 0.055) / 1.055)^2.4].

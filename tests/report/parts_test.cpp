@@ -28,6 +28,13 @@ TEST(Shot, WordsAreLeftOutWithTheirValues)
               (Words{"sphere", "--exposure", "7", "--dither", "--space", "nonlinear", "--tone", "agx"}));
 }
 
+// Exposure comes before the light there, not after it.
+TEST(Shot, OfTheReportsPipelineNoWordIsLeftOut)
+{
+    const Words words = {"sphere", "--pipeline", "report", "--exposure", "7"};
+    EXPECT_EQ(without_display(words), words);
+}
+
 TEST(Shot, WordsAreWhatTheCommandLineTakes)
 {
     const cli::RenderArguments arguments = parse_render({"sphere", "--model", "phong", "--alpha", "20"});

@@ -16,6 +16,16 @@ Picture Desk::proven(const Shot& shot, const std::string& figure)
     return picture;
 }
 
+Matrix transposed(const Matrix& matrix)
+{
+    Matrix turned{matrix.columns, matrix.rows, {}};
+    turned.pictures.reserve(matrix.pictures.size());
+    for (std::size_t column = 0; column < matrix.columns.size(); ++column)
+        for (std::size_t row = 0; row < matrix.rows.size(); ++row)
+            turned.pictures.push_back(matrix.pictures.at(row * matrix.columns.size() + column));
+    return turned;
+}
+
 Shot reflecting(int exponent, const std::string& levels)
 {
     return {text("specular-", exponent, levels == "report" ? "-report" : ""),

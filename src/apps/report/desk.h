@@ -26,6 +26,7 @@ struct Desk {
 
 /// The sections, in the order of the page. Later ones use what earlier ones have drawn.
 Section gallery(Desk& desk);
+Section own_pipeline(Desk& desk);
 Section direct_light(Desk& desk);
 Section diffuse_light(Desk& desk);
 Section background(Desk& desk);
@@ -33,6 +34,9 @@ Section specular_light(Desk& desk);
 Section passes(Desk& desk);
 Section beyond(Desk& desk);
 Section making(const Desk& desk);
+
+/// Rows as columns: pictures that are to be compared stand side by side, and as large as few columns leave them.
+Matrix transposed(const Matrix& matrix);
 
 /// The report's reflecting sphere on its ground, at an exponent; `levels` is the --mip-level.
 Shot reflecting(int exponent, const std::string& levels);

@@ -28,7 +28,8 @@ void add_tone_numbers(Workshop& workshop, const Shot& shot, Picture& picture)
     const image::CodeImage codes = workshop.codes(shot);
     const image::RadianceImage& light = workshop.frame(shot).radiance;
     picture.numbers.push_back({"mean luminance", percent(compare::displayed_luminance(codes))});
-    picture.numbers.push_back({"hue order kept", percent(compare::kept_hue_order(codes, light))});
+    if (const double kept = compare::kept_hue_order(codes, light); kept < 1.0)
+        picture.numbers.push_back({"hue order kept", percent(kept)});
 }
 
 double saturation(Workshop& workshop, const Shot& shot)
@@ -52,7 +53,7 @@ Matrix exposure_table(Desk& desk)
             matrix.pictures.back().numbers.push_back(
                 {"saturation", percent(saturation(desk.workshop, shot))});
         }
-    return matrix;
+    return transposed(matrix);
 }
 
 Table saturation_table(Desk& desk)
@@ -107,8 +108,8 @@ Section diffuse_light(Desk& desk)
         {}};
     section.figures.push_back(
         {"diffuse-exposures", "Exposure by colour space",
-         "The same light at five exposures. The luminance is what a display shows; hue order is kept "
-         "where none of the brightest tenth's channels overtakes another. Nonlinear colour pales first: its "
+         "The same light at five exposures. The luminance is what a display shows. In the brightest tenth no "
+         "channel overtakes another, unless a picture says so. Nonlinear colour pales first: its "
          "codes are sums of numbers that are not light.",
          exposure_table(desk)});
     section.figures.push_back({"diffuse-saturation", "Saturation measured", saturation_caption(desk.workshop),
@@ -134,8 +135,8 @@ Section background(Desk& desk)
     section.figures.push_back(
         {"background-exposures", "Six exposures",
          luminance_falls(desk.workshop)
-             ? "From 7000 down to 0.1: the mean luminance that is displayed falls with each step. Hue order "
-               "is kept where no channel of the highlights overtakes another."
+             ? "From 7000 down to 0.1: the mean luminance that is displayed falls with each step. No channel "
+               "of the highlights overtakes another, unless a picture says so."
              : "From 7000 down to 0.1. Under this light some steps show the same mean luminance.",
          pictures});
     return section;

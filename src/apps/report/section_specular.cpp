@@ -46,7 +46,7 @@ Matrix exponents(Desk& desk)
         matrix.rows.push_back("path-traced");
         matrix.pictures.insert(matrix.pictures.end(), references.begin(), references.end());
     }
-    return matrix;
+    return transposed(matrix);
 }
 
 Comparison blocks(Desk& desk)

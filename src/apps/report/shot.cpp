@@ -79,6 +79,9 @@ cli::ReferenceArguments parse_reference(Words words)
 
 Words without_display(const Words& words)
 {
+    // In the report's pipeline they come before the light.
+    if (std::find(words.begin(), words.end(), "--pipeline") != words.end())
+        return words;
     return without(words, display_options);
 }
 
