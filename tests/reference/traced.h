@@ -132,7 +132,8 @@ inline Average average(const Result& result, const Part& part, int channel)
     for (int y = part.y; y < part.y + part.height; ++y)
         for (int x = part.x; x < part.x + part.width; ++x) {
             sum += static_cast<double>(result.radiance.pixel(x, y)[channel]);
-            variance += static_cast<double>(result.variance.pixel(x, y)[channel]);
+            if (channel < result.variance.channels) // coverage has none
+                variance += static_cast<double>(result.variance.pixel(x, y)[channel]);
         }
     const double count = part.width * part.height;
     return {sum / count, std::sqrt(variance) / count};
