@@ -225,6 +225,12 @@ TEST_F(Report, ItsOwnLinearColourIsMoreSaturated)
             << exposure;
 }
 
+TEST_F(Report, ItsOwnPlaneShowsBlocks)
+{
+    EXPECT_GT(number(page, "own-plane-report-15625.png", "blockiness"),
+              2.0 * number(page, "own-plane-light-15625.png", "blockiness"));
+}
+
 TEST_F(Report, TheHighlightIsAnOval)
 {
     EXPECT_GT(number(page, "direct-oval.png", "on the plane"), 2.0);
