@@ -1,4 +1,8 @@
 # How every target is compiled, and the one way to declare a library folder.
+
+# What the build writes for files of ours to include: all that is needed to read them one by one, as `./dev lint` does.
+add_custom_target(generated)
+
 add_library(lambent_options INTERFACE)
 target_compile_options(lambent_options INTERFACE -Wall -Wextra -Wconversion
   # Contraction to fused multiply-add is wanted; -ffast-math is not: it deletes Highway's rounding on SSSE3.
@@ -26,7 +30,7 @@ endif()
 
 # Most of what a file of ours costs the compiler is the headers that it shares with its neighbours. So the files of a
 # folder are compiled sixteen at a time, and the tests' headers once. Names in unnamed namespaces must therefore differ
-# within a folder. Without (preset debug, which `./dev lint` builds), what a file forgot to include is found.
+# within a folder. Without (preset debug, by which `./dev lint` reads them), what a file forgot to include is found.
 option(LAMBENT_TOGETHER "Compile files together: less than half the time" ON)
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 16)
 if(NOT LAMBENT_TOGETHER)
