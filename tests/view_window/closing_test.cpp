@@ -5,9 +5,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 namespace lambent::testing {
 namespace {
@@ -58,7 +60,8 @@ TEST_F(ViewWindow, WhatCannotBeSavedIsSaidBeforeTheEnd)
         std::filesystem::remove(path("gone"));
         act({"key", "s", "sleep", "0.01"});
         if (by_signal) {
-            look();
+            for (int i = 0; i < 100 * patience && !(look().redness(message_area) > 0.005); ++i)
+                std::this_thread::sleep_for(std::chrono::milliseconds(100));
             program_->signal(SIGTERM); // what failed before was said before
             EXPECT_EQ(program_->wait(30.0), 0) << log();
             continue;
