@@ -176,9 +176,15 @@ async function copyAll(page, word, taken) {
         await page.keyboard.press('Enter');
         assert.ok(await details.evaluate(element => element.open));
         const button = details.locator('.copy').first();
+        // Seen from before the click on: a slow machine may look only when the word is gone again.
+        await button.evaluate(element => {
+            element.said = new Promise(said => {
+                const watch = new MutationObserver(() => said(element.textContent));
+                watch.observe(element, { childList: true, characterData: true, subtree: true });
+            });
+        });
         await button.click();
-        await page.waitForFunction(element => element.textContent !== 'Copy', await button.elementHandle());
-        assert.equal(await button.textContent(), word);
+        assert.equal(await button.evaluate(element => element.said), word);
         assert.equal(await page.evaluate(taken), await details.locator('code').first().textContent());
     }
 }
