@@ -13,5 +13,5 @@ struct ReportTone {
 vec3 toned_report(ReportTone t, vec3 read)
 {
     vec3 c = min(t.exposure * power(read, t.decode), vec3(1.0e30));
-    return power(vec3(c.x / (c.x + 1.0), c.y / (c.y + 1.0), c.z / (c.z + 1.0)), t.encode);
+    return power(tone_reinhard(c), t.encode);
 }
