@@ -60,15 +60,14 @@ TEST_F(ViewWindow, WhatCannotBeSavedIsSaidBeforeTheEnd)
         std::filesystem::remove(path("gone"));
         act({"key", "s", "sleep", "0.01"});
         if (by_signal) {
-            for (int i = 0; i < 100 * patience && !(look().redness(message_area) > 0.005); ++i)
-                std::this_thread::sleep_for(std::chrono::milliseconds(100));
+            look_said();
             program_->signal(SIGTERM); // what failed before was said before
             EXPECT_EQ(program_->wait(30.0), 0) << log();
             continue;
         }
         press("ctrl+q");
         EXPECT_EQ(program_->wait(2.0), -1); // the window stays
-        EXPECT_GT(look().redness(message_area), 0.005);
+        EXPECT_GT(look_said().redness(message_area), 0.005);
         expect_end();
     }
 }

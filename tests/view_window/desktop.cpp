@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <thread>
 
 namespace lambent::testing {
@@ -91,6 +92,22 @@ int Running::wait(double seconds)
 void Running::signal(int number) const
 {
     kill(process_, number);
+}
+
+// [proc(5), /proc/pid/stat] Fields 14 and 15, after the program's name in parentheses, which is the second.
+double Running::busy_seconds() const
+{
+    const std::string stat = contents(text("/proc/", process_, "/stat"));
+    const std::size_t name_end = stat.rfind(')');
+    if (name_end == std::string::npos)
+        return 0.0;
+    std::istringstream fields(stat.substr(name_end + 1));
+    std::string skipped;
+    for (int field = 3; field < 14; ++field)
+        fields >> skipped;
+    double user = 0.0, system = 0.0;
+    fields >> user >> system;
+    return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
 double Screenshot::mean(const Area& area) const
@@ -182,17 +199,19 @@ Screenshot Desktop::look(int rows) const
     return shot;
 }
 
-Screenshot Desktop::look_at_rest(double seconds) const
+Screenshot Desktop::look_at_rest(double seconds, const Running& program) const
 {
+    constexpr double step = 0.25;
     const auto end = Clock::now() + std::chrono::duration<double>(seconds * patience);
     Screenshot last = look();
-    // Who draws slowly is quiet for long between two pictures.
-    constexpr int enough = patience > 1 ? 16 : 4;
-    for (int quiet = 0; quiet < enough && Clock::now() < end;) {
-        sleep_ms(250);
+    double busy = program.busy_seconds();
+    for (int quiet = 0; quiet < 4 && Clock::now() < end;) {
+        sleep_ms(static_cast<int>(1000.0 * step));
         Screenshot next = look();
-        quiet = next.rgb == last.rgb ? quiet + 1 : 0;
-        last = std::move(next);
+        const double busy_now = program.busy_seconds();
+        // Who draws slowly shows nothing new for long between two pictures, but is at work.
+        quiet = next.rgb == last.rgb && busy_now - busy < 0.2 * step ? quiet + 1 : 0;
+        last = std::move(next), busy = busy_now;
     }
     return last;
 }

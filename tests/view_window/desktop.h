@@ -26,6 +26,9 @@ public:
 
     void signal(int number) const;
 
+    /// Seconds of processor time that all its threads have used; 0 once it has ended.
+    double busy_seconds() const;
+
 private:
     pid_t process_ = -1;
 };
@@ -60,8 +63,8 @@ public:
     /// At most so many rows from the top.
     Screenshot look(int rows = 65536) const;
 
-    /// Looks until nothing has changed for a while, at most `seconds`.
-    Screenshot look_at_rest(double seconds) const;
+    /// Looks until nothing has changed and the program has had nothing to do for a while, at most `seconds`.
+    Screenshot look_at_rest(double seconds, const Running& program) const;
 
 private:
     Folder folder_;

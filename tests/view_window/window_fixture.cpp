@@ -81,7 +81,12 @@ void ViewWindow::type_path(const std::string& path) const
 
 bool ViewWindow::is_titled(const std::string& name) const
 {
-    return desktop_->act({"search", "--onlyvisible", "--name", text("^", name, " - lambent")});
+    for (int i = 0; i < 50 * patience; ++i) {
+        if (desktop_->act({"search", "--onlyvisible", "--name", text("^", name, " - lambent")}))
+            return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    }
+    return false;
 }
 
 void ViewWindow::expect_end()
@@ -90,12 +95,27 @@ void ViewWindow::expect_end()
     EXPECT_EQ(program_->wait(60.0), 0) << log();
 }
 
+Screenshot ViewWindow::look_until(const std::function<bool(const Screenshot&)>& is_seen) const
+{
+    for (int i = 0; i < 100 * patience && !is_seen(desktop_->look()); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    return look();
+}
+
 Screenshot ViewWindow::look_changed(const Screenshot& before, const Screenshot::Area& area,
                                     double least) const
 {
-    for (int i = 0; i < 100 * patience && !(desktop_->look().difference(before, area) > least); ++i)
-        std::this_thread::sleep_for(std::chrono::milliseconds(200));
-    return look();
+    return look_until([&](const Screenshot& now) { return now.difference(before, area) > least; });
+}
+
+Screenshot ViewWindow::look_like(const Screenshot& other, const Screenshot::Area& area, double most) const
+{
+    return look_until([&](const Screenshot& now) { return now.difference(other, area) < most; });
+}
+
+Screenshot ViewWindow::look_said() const
+{
+    return look_until([](const Screenshot& now) { return now.redness(message_area) > 0.005; });
 }
 
 std::string ViewWindow::saved(const std::string& name)

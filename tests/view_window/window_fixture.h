@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -41,12 +42,20 @@ protected:
     void drag(const char* button, const char* modifier) const;
     void type_path(const std::string& path) const;
 
-    Screenshot look() const { return desktop_->look_at_rest(30.0); }
+    Screenshot look() const { return desktop_->look_at_rest(30.0, *program_); }
 
-    /// The screen at rest, after a part of it has changed by more than `least`, for which it waits.
+    /// The screen at rest, after what is expected of it is seen, for which these wait. What is not seen in time is
+    /// for the caller to find.
+    Screenshot look_until(const std::function<bool(const Screenshot&)>& is_seen) const;
+    /// A part of it has changed by more than `least`.
     Screenshot look_changed(const Screenshot& before, const Screenshot::Area& area, double least) const;
+    /// A part of it is within `most` of another screen.
+    Screenshot look_like(const Screenshot& other, const Screenshot::Area& area, double most) const;
+    /// A line of trouble is there.
+    Screenshot look_said() const;
     std::string path(const std::string& name) const { return desktop_->folder().path(name); }
     std::string log() const { return contents(path("view.log")); }
+    /// Whether the window has this name's title, for which it waits.
     bool is_titled(const std::string& name) const;
 
     /// Presses S; what is in the file then, once it is there; "" if it does not come.
