@@ -130,14 +130,17 @@ vec2 pixel_point(const Environment&, int)
     return {0.1, -0.2};
 }
 
+#include "shading/pixel.glsl"
 #include "shading/specular_ggx.glsl"
 
 #pragma GCC diagnostic pop
 
 double flops_of(const Environment& environment)
 {
-    const Mirror mirror = {{0.0, 0.0, 1.0},   {0.6, 0.0, 0.8},   {0.0, 1.0, 0.0}, 0.25,
-                           {1e-3, 0.0, 1e-4}, {0.0, 1e-3, 1e-4}, {0.8, 0.1}};
+    const Mirror mirror = {{{0.0, 0.0, 1.0}, {0.6, 0.0, 0.8}, {1e-3, 0.0, 1e-4}, {0.0, 1e-3, 1e-4}},
+                           {0.0, 1.0, 0.0},
+                           0.25,
+                           {0.8, 0.1}};
     counted = 0;
     specular_ggx(environment, mirror);
     return static_cast<double>(counted);

@@ -35,6 +35,11 @@ inline PowersOfFour powers_of_four(Real a)
     return {a * exp2(-2.0 * exponent), exponent};
 }
 
+inline bool any_of(Mask m)
+{
+    return m;
+}
+
 inline Real select(Mask m, Real yes, Real no)
 {
     return m ? yes : no;

@@ -14,6 +14,7 @@ PowersOfFour powers_of_four(float a)
     return PowersOfFour(a * exp2(-2.0 * exponent), exponent);
 }
 
+bool any_of(bool m) { return m; }
 float select(bool m, float yes, float no) { return m ? yes : no; }
 vec3 select(bool m, vec3 yes, vec3 no) { return m ? yes : no; }
 

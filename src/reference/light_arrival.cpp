@@ -13,6 +13,7 @@
 namespace lambent::in_double {
 namespace {
 
+#include "shading/pixel.glsl"
 #include "shading/direct.glsl"
 
 } // namespace

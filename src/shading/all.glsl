@@ -1,4 +1,5 @@
 #include "ambient.glsl"
+#include "pixel.glsl"
 #include "direct.glsl"
 #include "texture.glsl"
 #include "surface.glsl"

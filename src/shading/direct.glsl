@@ -44,12 +44,58 @@ vec3 direct_phong(Phong p, vec3 N, vec3 V, Arrival a)
     return select(NL > 0.0, (NL * f) * a.illuminance, vec3(0.0));
 }
 
-// alpha^2 with the bend of the surface inside a pixel added: a highlight smaller than a pixel is drawn larger and
-// dimmer instead of twinkling. The differentials are of the mirrored direction, which turns twice as far as the
-// normal; a box of width w has variance w^2 / 12. [Tokuyoshi and Kaplanyan 2019, "Improved geometric specular
-// antialiasing", JCGT 10(2): alpha^2 + 2 variance of slopes] Witness: the differentials of a sphere.
-Real alpha_in_pixel(Real alpha, vec3 mirrored_dx, vec3 mirrored_dy)
+// Whether light from L may make a highlight that is narrower than what the surface mirrors within the pixel, so that one
+// look through the middle may miss it, or take it for all of the pixel. A lobe of roughness alpha is about 2 alpha wide
+// in mirrored directions. Witness: both sides of either bound.
+Mask hides_highlight(ShinyPoint s, Real alpha, vec3 L)
 {
-    Real bend2 = 0.25 * (dot(mirrored_dx, mirrored_dx) + dot(mirrored_dy, mirrored_dy));
-    return min(sqrt(alpha * alpha + bend2 * 0.08333333333333333), 1.0);
+    Real turn2 = dot(s.mirrored_dx, s.mirrored_dx) + dot(s.mirrored_dy, s.mirrored_dy);
+    vec3 off = mirrored(s.normal, s.view) - L;
+    Real reach = sqrt(turn2) + 6.0 * alpha;
+    return turn2 > alpha * alpha && dot(off, off) < reach * reach;
+}
+
+// The normal at look i of 64 in the pixel, eight by eight: for a viewer who does not move, the one that mirrors as the surface
+// does there. Nothing mirrored goes below the horizon: a pixel at a rim is wider than what is seen of the surface in it.
+// Witness: its mirrored directions have the pixel's middle and variance.
+vec3 normal_of_look(ShinyPoint s, int i)
+{
+    Real x = 0.125 * Real(i % 8) - 0.4375;
+    Real y = 0.125 * Real(i / 8) - 0.4375;
+    vec3 way = mirrored(s.normal, s.view) + x * s.mirrored_dx + y * s.mirrored_dy;
+    return normalize(s.view + normalize(way + max(-dot(s.normal, way), 0.0) * s.normal));
+}
+
+// direct_metallic averaged over the pixel: by one look at a lobe that is as wide as lobe and pixel, or where that hides a
+// highlight by 64 looks, each of an eighth of the width. Witness: quadrature over the pixel.
+vec3 direct_metallic_in_pixel(Metallic m, vec2 albedo, ShinyPoint s, Arrival a)
+{
+    Metallic wide = {m.base, m.metalness, alpha_in_pixel(m.alpha, s.mirrored_dx, s.mirrored_dy), m.compensation};
+    vec3 once = direct_metallic(wide, albedo, s.normal, s.view, a);
+    Mask hidden = hides_highlight(s, m.alpha, a.direction);
+    if (any_of(hidden)) {
+        Real alpha = alpha_in_pixel(m.alpha, 0.125 * s.mirrored_dx, 0.125 * s.mirrored_dy);
+        Metallic narrow = {m.base, m.metalness, alpha, m.compensation};
+        vec3 sum = vec3(0.0);
+        for (int i = 0; i < 64; ++i)
+            sum += direct_metallic(narrow, albedo, normal_of_look(s, i), s.view, a);
+        once = select(hidden, 0.015625 * sum, once);
+    }
+    return once;
+}
+
+// The same of direct_phong; its lobe is widened for the 64 looks alone. Witness: as before.
+vec3 direct_phong_in_pixel(Phong p, ShinyPoint s, Arrival a)
+{
+    vec3 once = direct_phong(p, s.normal, s.view, a);
+    Mask hidden = hides_highlight(s, phong_alpha(p.exponent), a.direction);
+    if (any_of(hidden)) {
+        Real alpha = alpha_in_pixel(phong_alpha(p.exponent), 0.125 * s.mirrored_dx, 0.125 * s.mirrored_dy);
+        Phong narrow = {p.diffuse, p.specular, phong_exponent(alpha)};
+        vec3 sum = vec3(0.0);
+        for (int i = 0; i < 64; ++i)
+            sum += direct_phong(narrow, normal_of_look(s, i), s.view, a);
+        once = select(hidden, 0.015625 * sum, once);
+    }
+    return once;
 }

@@ -1,15 +1,11 @@
 // Light from the environment reflected by GGX facets, N samples. Hooks: see README.md.
 
-// A point that mirrors: shading normal, direction to the viewer, dot(normal, view) > 0, what is across for the viewer
-// (any direction but the view, the same for a whole picture), alpha, how the mirrored direction changes from one pixel to
-// the next, to the right and downwards, and the directional albedo (energy.glsl).
+// A point that mirrors, what is across for the viewer (any direction but the view, the same for a whole picture), alpha,
+// and the directional albedo (energy.glsl).
 struct Mirror {
-    vec3 normal;
-    vec3 view;
+    ShinyPoint at;
     vec3 across;
     Real alpha;
-    vec3 mirrored_dx;
-    vec3 mirrored_dy;
     vec2 albedo;
 };
 
@@ -129,42 +125,13 @@ LampWeights lamp_weights(LobeSampling s, vec3 L, Real cut)
     return w;
 }
 
-// How a pixel sees a mirror: the middle of the mirrored directions, and their density over the sphere as a Gaussian of a
-// pixel's own variance, a twelfth: `right` and `down` give the place in the pixel, by dot product; size is its solid angle.
-struct Footprint {
-    vec3 middle;
-    vec3 right;
-    vec3 down;
-    Real size;
-};
-
-// Witness: density_in_pixel's.
-Footprint footprint_of(Mirror m)
-{
-    vec3 area = cross(m.mirrored_dx, m.mirrored_dy);
-    Real size2 = dot(area, area);
-    Real inverse = 1.0 / max(size2, 1.0e-30);
-    Footprint f = {mirrored(m.normal, m.view), inverse * cross(m.mirrored_dy, area), inverse * cross(area, m.mirrored_dx),
-                   sqrt(size2)};
-    return f;
-}
-
-// Density per solid angle with which a pixel sees direction L. Witness: quadrature gives 1, and the variance.
-Real density_in_pixel(Footprint f, vec3 L)
-{
-    Real x = dot(L, f.right);
-    Real y = dot(L, f.down);
-    Real density = 1.909859317102744 * exp2(-8.656170245333781 * min(x * x + y * y, 12.0)) / max(f.size, 1.0e-15);
-    return select(dot(L, f.middle) > 0.0, density, 0.0);
-}
-
 // The lamps' light, to the extent that the chain is without it where a sample would read it: through the lobe, and, as far
 // as the pixel is wider than that (pixel_share of 1), through the pixel. shared_variance is what all samples are blurred by.
 // Witness: lamps all around are a white sky.
 LobeLight lamps_ggx(Environment environment, Mirror m, LobeSampling s, Real pixel_share, Real shared_variance)
 {
-    mat3 frame = carried_frame(m.normal, m.view, m.across);
-    Footprint footprint = footprint_of(m);
+    mat3 frame = carried_frame(m.at.normal, m.at.view, m.across);
+    Footprint footprint = footprint_of(m.at);
     vec2 variances = lamp_variances(environment);
     Real p2 = pixel_share * pixel_share;
     Real in_pixel = p2 * p2 * p2;
@@ -187,30 +154,6 @@ LobeLight lamps_ggx(Environment environment, Mirror m, LobeSampling s, Real pixe
     return sum;
 }
 
-// What a pixel adds to a lobe's samples: by how much of a pixel they are moved, the variance that all are blurred by, in
-// square radians, and how far the pixel is wider than the lobe, 0 to 1.
-struct PixelBlur {
-    Real moved;
-    Real variance;
-    Real share;
-};
-
-// Where the lobe is the wider in all directions, moving samples about in the pixel only tears gaps into their spiral:
-// they stay in the middle, and the blur takes the pixel's variance, a twelfth of its area. per_sample is 1 / N.
-// Witness: specular_ggx's.
-PixelBlur pixel_blur(Mirror m, LobeSampling lobe, Real per_sample)
-{
-    vec3 area = cross(m.mirrored_dx, m.mirrored_dy);
-    Real footprint = sqrt(dot(area, area));
-    Real pixel_variance = variance_of_spread(footprint) * per_sample;
-    Real longest = dot(m.mirrored_dx, m.mirrored_dx) + dot(m.mirrored_dy, m.mirrored_dy);
-    Real widest = variance_of_spread(longest) * per_sample;
-    Real moved = widest / max(widest + lobe.variance, 1.0e-30);
-    PixelBlur blur = {moved, pixel_variance + (1.0 - moved * moved) * footprint * 0.08333333333333333,
-                      pixel_variance / max(pixel_variance + lobe.variance, 1.0e-30)};
-    return blur;
-}
-
 // The level at which a sample is read: the blur of lobe and pixel. per_level is 1 / v1. Witness: specular_ggx's.
 Real matched_level_ggx(Real variance, PixelBlur pixel, Real per_level)
 {
@@ -221,10 +164,10 @@ Real matched_level_ggx(Real variance, PixelBlur pixel, Real per_level)
 // spread is 1. Witness: levels by the density of visible normals there (tests/draw).
 Real middle_level_ggx(Environment environment, Mirror m)
 {
-    mat3 frame = carried_frame(m.normal, m.view, m.across);
+    mat3 frame = carried_frame(m.at.normal, m.at.view, m.across);
     Real per_sample = 1.0 / Real(sample_count(environment));
-    LobeSampling lobe = lobe_sampling(in_frame(frame, m.view), m.alpha, per_sample);
-    return matched_level_ggx(lobe.variance, pixel_blur(m, lobe, per_sample), 1.0 / level_one_variance(environment));
+    LobeSampling lobe = lobe_sampling(in_frame(frame, m.at.view), m.alpha, per_sample);
+    return matched_level_ggx(lobe.variance, pixel_blur(m.at, lobe.variance, per_sample), 1.0 / level_one_variance(environment));
 }
 
 // Directions are drawn from visible normals, each moved to its own place in the pixel, and read through a blur as
@@ -234,10 +177,10 @@ Real middle_level_ggx(Environment environment, Mirror m)
 // filtered importance sampling"] Witness: tests/draw, against brute force over every texel in double.
 LobeLight specular_ggx(Environment environment, Mirror m)
 {
-    mat3 frame = carried_frame(m.normal, m.view, m.across);
+    mat3 frame = carried_frame(m.at.normal, m.at.view, m.across);
     Real per_sample = 1.0 / Real(sample_count(environment));
-    LobeSampling lobe = lobe_sampling(in_frame(frame, m.view), m.alpha, per_sample);
-    PixelBlur pixel = pixel_blur(m, lobe, per_sample);
+    LobeSampling lobe = lobe_sampling(in_frame(frame, m.at.view), m.alpha, per_sample);
+    PixelBlur pixel = pixel_blur(m.at, lobe.variance, per_sample);
     Real per_level = 1.0 / level_one_variance(environment);
     LightSum sum = no_light(environment);
     Real plain_weight = 0.0;
@@ -248,7 +191,7 @@ LobeLight specular_ggx(Environment environment, Mirror m)
         Real weight_grazing = s.weight * max(s.grazing, 1.0e-6);
         Real weight_plain = s.weight - weight_grazing;
         vec2 place = s.size * pixel.moved * pixel_point(environment, i);
-        vec3 d = frame * s.direction + place.x * m.mirrored_dx + place.y * m.mirrored_dy;
+        vec3 d = frame * s.direction + place.x * m.at.mirrored_dx + place.y * m.at.mirrored_dy;
         Real level = matched_level_ggx(s.variance, pixel, per_level);
         sum = with_light(environment, sum, d, level, vec2(weight_plain, weight_grazing));
         plain_weight += weight_plain;

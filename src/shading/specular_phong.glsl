@@ -21,55 +21,75 @@ PhongSample phong_sample(vec3 N, vec3 V, vec3 L)
     return s;
 }
 
-// The lamps' light, to the extent that the chain is without it where a sample would read it. per_sample is
-// 1 / N. Witness: the lobe's density times what a sample there weighs.
-vec3 lamps_phong(Environment environment, Phong p, vec3 N, vec3 V, Real per_sample)
+// The lamps' light, to the extent that the chain is without it where a sample would read it: through the lobe, and, as far
+// as the pixel is wider than that (pixel.share of 1), through the pixel, where the lobe is cut off at the pixel's own
+// density. per_sample is 1 / N. Witness: the lobe's density times what a sample there weighs; lamps all around are a white sky.
+vec3 lamps_phong(Environment environment, Phong p, ShinyPoint s, PixelBlur pixel, Real per_sample)
 {
-    vec3 R = mirrored(N, V);
+    vec3 R = mirrored(s.normal, s.view);
+    Footprint footprint = footprint_of(s);
+    vec2 variances = lamp_variances(environment);
+    Real p2 = pixel.share * pixel.share;
+    Real in_pixel = p2 * p2; // of powers the one that keeps the most of a white sky
+    Real middle = exp2(-log2_lobe_density_phong(0.0, p.exponent));
+    Real through_pixel = in_pixel * share_of_coarser(variance_of_spread(middle) * per_sample + pixel.variance, variances);
     vec3 total = vec3(0.0);
     for (int i = 0; i < lamp_count(environment); ++i) {
         vec3 L = lamp_direction(environment, i);
         Real log2_xi2 = (p.exponent + 1.0) * log2(max(dot(R, L), 1.0e-4));
-        Real log2_density = log2_lobe_density_phong(log2_xi2, p.exponent);
-        Real density = exp2(max(log2_density, -100.0));
-        Real share = share_of_coarser(variance_of_spread(1.0 / density) * per_sample, lamp_variances(environment));
-        vec2 weights = (share * density) * phong_sample(N, V, L).weights;
+        Real density = exp2(max(log2_lobe_density_phong(log2_xi2, p.exponent), -100.0));
+        Real share = share_of_coarser(variance_of_spread(1.0 / density) * per_sample + pixel.variance, variances);
+        Real seen = share * density / (1.0 + in_pixel * footprint.size * density) +
+                    through_pixel * density_in_pixel(footprint, L);
+        vec2 weights = seen * phong_sample(s.normal, s.view, L).weights;
         total += (weights.x * p.specular + vec3(weights.y)) * lamp_light(environment, i);
     }
     return total;
 }
 
-// The level at which a sample is read, from log2 xi2: a blur as wide as the share of the lobe that it stands for.
-// share: 1 / (N v1). Witness: levels by the lobe's density.
-Real matched_level_phong(Real log2_xi2, Real exponent, Real share)
+// The level at which a sample is read, from log2 xi2: a blur as wide as the share of the lobe that it stands for, and the
+// pixel's. per_sample: 1 / N; per_level: 1 / v1. Witness: levels by the lobe's density.
+Real matched_level_phong(Real log2_xi2, Real exponent, PixelBlur pixel, vec2 per_sample_level)
 {
     Real spread = exp2(-log2_lobe_density_phong(log2_xi2, exponent));
-    return level_of_variance(variance_of_spread(spread) * share);
+    return level_of_variance((variance_of_spread(spread) * per_sample_level.x + pixel.variance) * per_sample_level.y);
 }
 
-// The same for the lobe's middle, for looking at. Witness: as before.
-Real middle_level_phong(Environment environment, Real exponent)
+// What a pixel adds to the lobe's samples. Witness: specular_phong's.
+PixelBlur pixel_blur_phong(ShinyPoint s, Real exponent, Real per_sample)
 {
-    return matched_level_phong(0.0, exponent, 1.0 / (Real(sample_count(environment)) * level_one_variance(environment)));
+    Real middle = variance_of_spread(exp2(-log2_lobe_density_phong(0.0, exponent))) * per_sample;
+    return pixel_blur(s, middle, per_sample);
+}
+
+// The level for the lobe's middle, for looking at. Witness: as before.
+Real middle_level_phong(Environment environment, ShinyPoint s, Real exponent)
+{
+    Real per_sample = 1.0 / Real(sample_count(environment));
+    PixelBlur pixel = pixel_blur_phong(s, exponent, per_sample);
+    return matched_level_phong(0.0, exponent, pixel, vec2(per_sample, 1.0 / level_one_variance(environment)));
 }
 
 // The average of F / (4 (w.H)^2) environment(w) max(N.w, 0) over N samples of the lobe about the mirrored view
-// (DESIGN, "Specular pass"), each read through a blur as wide as the share of the lobe that it stands for. `across` as
-// in Mirror. Witness: quadrature over the lobe in a white environment (tests/draw).
-vec3 specular_phong(Environment environment, Phong p, vec3 N, vec3 V, vec3 across)
+// (DESIGN, "Specular pass"), each moved to its own place in the pixel, and read through a blur as wide as the share of lobe
+// and pixel that it stands for. `across` as in Mirror. Witness: quadrature over the lobe in a white environment (tests/draw).
+vec3 specular_phong(Environment environment, Phong p, ShinyPoint at, vec3 across)
 {
-    mat3 lobe = carried_frame(mirrored(N, V), V, across);
+    mat3 lobe = carried_frame(mirrored(at.normal, at.view), at.view, across);
     Real per_sample = 1.0 / Real(sample_count(environment));
-    Real per_level = 1.0 / level_one_variance(environment);
+    vec2 per_sample_level = vec2(per_sample, 1.0 / level_one_variance(environment));
+    PixelBlur pixel = pixel_blur_phong(at, p.exponent, per_sample);
     LightSum sum = no_light(environment);
     for (int i = 0; i < sample_count(environment); ++i) {
         vec3 point = lobe_point(environment, i);
-        PhongSample s = phong_sample(N, V, lobe * sample_phong(point, p.exponent));
-        Real level = matched_level_phong(point.x, p.exponent, per_sample * per_level);
-        sum = with_light(environment, sum, s.direction, level, s.weights);
+        PhongSample s = phong_sample(at.normal, at.view, lobe * sample_phong(point, p.exponent));
+        vec2 place = pixel.moved * pixel_point(environment, i);
+        vec3 d = s.direction + place.x * at.mirrored_dx + place.y * at.mirrored_dy;
+        Real level = matched_level_phong(point.x, p.exponent, pixel, per_sample_level);
+        sum = with_light(environment, sum, d, level, s.weights);
     }
     return (p.specular * first_light(environment, sum) + second_light(environment, sum)) * per_sample +
-           lamps_phong(environment, p, N, V, per_sample);
+           lamps_phong(environment, p, at, pixel, per_sample);
 }
 
 // The report's first term, 1/2 log2(W H / N). Witness: levels by the report's formula.

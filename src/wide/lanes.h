@@ -26,7 +26,7 @@ HWY_INLINE Mask operator&&(Mask a, Mask b) { return {hn::And(a.m, b.m)}; }
 HWY_INLINE Mask operator||(Mask a, Mask b) { return {hn::Or(a.m, b.m)}; }
 HWY_INLINE Mask operator!(Mask a) { return {hn::Not(a.m)}; }
 HWY_INLINE bool none(Mask a) { return hn::AllFalse(FloatTag(), a.m); }
-HWY_INLINE bool any(Mask a) { return !none(a); }
+HWY_INLINE bool any_of(Mask a) { return !none(a); }
 
 // One float per lane; a number fills every lane.
 struct Real {

@@ -149,8 +149,16 @@ Mirrored mirrored_in_pixel(double x)
 }
 
 // Blurs are as wide as one sample's share of lobe and pixel: 0.3 / (N density); pixels that are narrow beside the lobe add a
-// twelfth of their area. The density of visible normals where the facet faces along N, without those that mirror to below
-// the horizon, of the lobe that is drawn, up to 1.25 times as wide.
+// twelfth of their area.
+double blur_of_sample(double density, const Mirrored& pixel, double samples)
+{
+    const double lobe = 0.3 / (samples * density), widest = 0.3 * pixel.longest2 / samples,
+                 moved = widest / (widest + lobe);
+    return lobe + 0.3 * pixel.area / samples + (1.0 - moved * moved) * pixel.area / 12.0;
+}
+
+// The density of visible normals where the facet faces along N, without those that mirror to below the horizon, of the lobe
+// that is drawn, up to 1.25 times as wide.
 double wanted_variance(double alpha, double NV, const Mirrored& pixel, double samples)
 {
     const double w = alpha * (1.25 - 0.25 * alpha), w2 = w * w, s = 1.0 + std::sqrt(1.0 - NV * NV);
@@ -158,10 +166,7 @@ double wanted_variance(double alpha, double NV, const Mirrored& pixel, double sa
     const double bound = (1.0 - w2) * s * s / (s * s + w2 * NV * NV);
     const double stretched_z = NV / std::sqrt(w2 * (1.0 - NV * NV) + NV * NV);
     const double kept = (1.0 + bound * stretched_z) / (1.0 + stretched_z); // [Eto and Tokuyoshi 2023]
-    const double density = G1 / (pi * w2 * 4.0 * NV * kept);
-    const double lobe = 0.3 / (samples * density), widest = 0.3 * pixel.longest2 / samples,
-                 moved = widest / (widest + lobe);
-    return lobe + 0.3 * pixel.area / samples + (1.0 - moved * moved) * pixel.area / 12.0;
+    return blur_of_sample(G1 / (pi * w2 * 4.0 * NV * kept), pixel, samples);
 }
 
 TEST(Layers, MipLevelIsAsWideAsAShareOfTheLobe)
@@ -189,7 +194,7 @@ TEST(Layers, MipLevelIsAsWideAsAShareOfTheLobe)
     EXPECT_GT(between, 12);
 }
 
-// A sample stands for 1 / (N (exponent + 1) / (2 pi)); the report's is 1/2 log2(W H / N) - 1/2 log2(D(N) / 4), whatever the
+// The lobe's density in its middle is (exponent + 1) / (2 pi); the report's level is 1/2 log2(W H / N) - 1/2 log2(D(N) / 4), whatever the
 // angle.
 TEST(Layers, MipLevelOfPhongIsMatchedOrTheReports)
 {
@@ -207,11 +212,12 @@ TEST(Layers, MipLevelOfPhongIsMatchedOrTheReports)
         const Frame matched = draw_sphere(material, light, settings);
         settings.mip_level = MipLevel::report;
         const Frame report = draw_sphere(material, light, settings);
-        const double wanted = std::clamp(0.3 * 2.0 * pi / (16.0 * (a + 1.0)), variance_of(0.0, light.chain),
-                                         variance_of(highest, light.chain));
         const double D = (a + 2.0) / (2.0 * pi);
         const double level = 0.5 * std::log2(64.0 * 32.0 / 16.0) - 0.5 * std::log2(D / 4.0);
         for (const double x : {0.0, 0.6}) {
+            const double wanted =
+                std::clamp(blur_of_sample((a + 1.0) / (2.0 * pi), mirrored_in_pixel(x), 16.0),
+                           variance_of(0.0, light.chain), variance_of(highest, light.chain));
             EXPECT_NEAR(variance_of(level_at(matched, x, highest), light.chain) / wanted, 1.0, 1e-3) << a;
             EXPECT_NEAR(level_at(report, x, highest_mip), std::clamp(level, 0.0, highest_mip), 1e-4) << a;
         }

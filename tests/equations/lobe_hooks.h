@@ -58,5 +58,6 @@ vec3 second_light(const Environment&, LightSum)
 // Each test takes some of it.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
+#include "shading/pixel.glsl"
 #include "shading/specular_ggx.glsl"
 #pragma GCC diagnostic pop

@@ -37,6 +37,11 @@ vec3 lobe_point(const Environment& e, int i)
     return vec3(std::log2(xi2_of(e, i)), std::cos(2.4 * i), std::sin(2.4 * i));
 }
 
+vec2 pixel_point(const Environment& e, int i)
+{
+    return {xi2_of(e, i) - 0.5, 0.5 * std::cos(5.0 * i)};
+}
+
 Real level_one_variance(const Environment& e)
 {
     return e.variance;
@@ -102,6 +107,7 @@ vec3 second_light(const Environment&, LightSum sum)
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #include "shading/ambient.glsl"
+#include "shading/pixel.glsl"
 #include "shading/specular_phong.glsl"
 #include "shading/pipeline_report.glsl"
 #pragma GCC diagnostic pop

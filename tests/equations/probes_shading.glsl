@@ -75,12 +75,19 @@ Environment formula(Real brightness)
 // A normal, and a view at most 60 degrees or so off it.
 vec3 view_near(vec3 N, Inputs i) { return normalize(N + 0.8 * direction(i.c, i.d)); }
 
+// How the mirrored direction turns in a pixel, by up to `most`.
+ShinyPoint shiny_point(vec3 N, vec3 V, Inputs i, Real most)
+{
+    ShinyPoint s = {N, V, most * i.f * direction(i.g, i.h), most * i.g * direction(i.h, i.f)};
+    return s;
+}
+
 Outputs shading_ggx(Inputs i)
 {
     vec3 N = direction(i.a, i.b);
     vec3 V = view_near(N, i);
-    Mirror m = {N, V, mirrored(vec3(0.6, 0.0, 0.8), V), decades(i.e, 1.0e-4, 1.0), 0.1 * i.f * direction(i.g, i.h),
-                0.1 * i.g * direction(i.h, i.f), probe_albedo(i.g, i.h)};
+    ShinyPoint s = shiny_point(N, V, i, 0.1);
+    Mirror m = {s, mirrored(vec3(0.6, 0.0, 0.8), V), decades(i.e, 1.0e-4, 1.0), probe_albedo(i.g, i.h)};
     LobeLight light = specular_ggx(formula(1.0 + i.h), m);
     return outputs(light.plain, light.grazing.x);
 }
@@ -97,14 +104,14 @@ Outputs shading_lamps(Inputs i)
 {
     vec3 N = direction(i.a, i.b);
     vec3 V = view_near(N, i);
-    Mirror m = {N, V, mirrored(vec3(0.6, 0.0, 0.8), V), 0.1 + 0.9 * i.e, 0.2 * direction(i.g, i.h), 0.2 * direction(i.h, i.f),
-                probe_albedo(i.g, i.h)};
+    ShinyPoint s = {N, V, 0.2 * direction(i.g, i.h), 0.2 * direction(i.h, i.f)};
+    Mirror m = {s, mirrored(vec3(0.6, 0.0, 0.8), V), 0.1 + 0.9 * i.e, probe_albedo(i.g, i.h)};
     LobeSampling lobe = lobe_sampling(in_frame(carried_frame(N, V, m.across), V), m.alpha, 0.025);
     LobeLight light = lamps_ggx(formula(1.0 + i.h), m, lobe, i.f, 0.0001 * i.g);
     LampWeights w = lamp_weights(lobe, upper_direction(i.c, i.h), 0.1 * i.g);
     Phong p = {vec3(i.e), vec3(i.f, i.g, i.h), decades(i.e, 0.01, 100.0)};
-    vec3 phong = lamps_phong(formula(1.0 + i.f), p, N, V, 0.025);
-    Real pixel = density_in_pixel(footprint_of(m), normalize(mirrored(N, V) + 0.1 * i.a * m.mirrored_dx));
+    vec3 phong = lamps_phong(formula(1.0 + i.f), p, s, pixel_blur_phong(s, p.exponent, 0.025), 0.025);
+    Real pixel = density_in_pixel(footprint_of(s), normalize(mirrored(N, V) + 0.1 * i.a * s.mirrored_dx));
     return outputs(vec3(light.plain.x + 0.1 * light.grazing.y, w.parts.x + w.parts.y + w.variance, phong.x), 0.01 * pixel);
 }
 
@@ -113,7 +120,7 @@ Outputs shading_phong(Inputs i)
     vec3 N = direction(i.a, i.b);
     vec3 V = view_near(N, i);
     Phong p = {vec3(i.e), vec3(i.f, i.g, i.h), decades(i.e, 0.01, 1.0e6)};
-    return outputs(specular_phong(formula(1.0), p, N, V, mirrored(vec3(0.6, 0.0, 0.8), V)), i.h);
+    return outputs(specular_phong(formula(1.0), p, shiny_point(N, V, i, 0.1), mirrored(vec3(0.6, 0.0, 0.8), V)), i.h);
 }
 
 Outputs shading_phong_report(Inputs i)
@@ -140,13 +147,13 @@ Outputs shading_middle_levels(Inputs i)
 {
     vec3 N = direction(i.a, i.b);
     vec3 V = view_near(N, i);
-    Mirror m = {N, V, mirrored(vec3(0.6, 0.0, 0.8), V), decades(i.e, 1.0e-4, 1.0), 0.1 * i.f * direction(i.g, i.h),
-                0.1 * i.g * direction(i.h, i.f), vec2(0.5, 0.1)};
+    ShinyPoint s = shiny_point(N, V, i, 0.1);
+    Mirror m = {s, mirrored(vec3(0.6, 0.0, 0.8), V), decades(i.e, 1.0e-4, 1.0), vec2(0.5, 0.1)};
     Environment e = formula(1.0);
     LobeSampling lobe = lobe_sampling(in_frame(carried_frame(N, V, m.across), V), m.alpha, 0.025);
-    PixelBlur pixel = pixel_blur(m, lobe, 0.025);
+    PixelBlur pixel = pixel_blur(s, lobe.variance, 0.025);
     Real exponent = decades(i.e, 0.01, 1000.0);
-    Real phong = middle_level_phong(e, exponent) + matched_level_phong(-4.0 * i.h, exponent, 0.001);
+    Real phong = middle_level_phong(e, s, exponent) + matched_level_phong(-4.0 * i.h, exponent, pixel, vec2(0.025, 0.04));
     Real report = middle_level_report(e, exponent) + report_level_phong(first_term_of_report(e), 0.5 + 0.5 * i.g, 10.0);
     return outputs(vec3(0.2 * middle_level_ggx(e, m), 0.2 * phong, 0.2 * report),
                    pixel.moved + pixel.share + 0.2 * matched_level_ggx(lobe.variance, pixel, 100.0));
@@ -173,6 +180,27 @@ Outputs shading_direct_phong(Inputs i)
     Arrival a = arrival_from(some_lamp(i), vec3(i.b, i.c, i.d));
     return outputs(direct_phong(p, N, view_near(N, i), a),
                    alpha_in_pixel(i.a, i.b * direction(i.c, i.d), i.e * direction(i.f, i.g)));
+}
+
+// No light at the edge of hides_highlight's bounds: what is drawn jumps a little there.
+Arrival light_near(ShinyPoint s, Inputs i)
+{
+    Arrival a = {normalize(mirrored(s.normal, s.view) + 0.1 * i.h * s.mirrored_dx), vec3(i.a, i.b, 1.0)};
+    return a;
+}
+
+Outputs shading_direct_in_pixel(Inputs i)
+{
+    vec3 N = direction(i.a, i.b);
+    ShinyPoint s = {N, view_near(N, i), 0.1 * direction(i.g, i.h), 0.1 * direction(i.h, i.f)};
+    Metallic m = {vec3(i.e, i.f, i.g), i.h, 0.02 + 0.08 * i.e, 1.0};
+    Phong p = {vec3(i.e), vec3(i.f, i.g, i.h), decades(i.e, 200.0, 1.0e4)};
+    Arrival a = light_near(s, i);
+    vec3 metal = direct_metallic_in_pixel(m, probe_albedo(i.g, i.h), s, a);
+    vec3 phong = direct_phong_in_pixel(p, s, a);
+    Real hidden = select(hides_highlight(s, 0.05 + 0.2 * i.d, a.direction), 1.0, 0.0);
+    return outputs(vec3(0.01 * metal.x, 0.01 * phong.y, dot(normal_of_look(s, 11), s.view)),
+                   0.3 * hidden);
 }
 
 Outputs shading_ambient(Inputs i)

@@ -48,8 +48,8 @@ TEST(SpecularGgx, LampsAreSeenThroughTheLobe)
             for (double theta : {0.0, 0.4, 1.0, 1.5})
                 for (double phi : {0.0, 1.0, 3.1}) {
                     const vec3 V = view_at(NV), L = at_angles(theta, phi), H = normalize(L + V);
-                    const Mirror mirror = {{0.0, 0.0, 1.0}, V,         {0.0, 1.0, 0.0}, alpha,
-                                           vec3(0.0),       vec3(0.0), {0.7, 0.2}};
+                    const Mirror mirror = {
+                        {{0.0, 0.0, 1.0}, V, vec3(0.0), vec3(0.0)}, {0.0, 1.0, 0.0}, alpha, {0.7, 0.2}};
                     const LobeLight light = specular_ggx({L, {1.0e-12, 2.0e-12}}, mirror);
                     const double lobe =
                         test::facet_density(H.z, alpha) /
@@ -66,8 +66,8 @@ TEST(SpecularGgx, LampsAreSeenThroughTheLobe)
 // A lamp that all blurs hold is not added again.
 TEST(SpecularGgx, LampsInTheBlursAreLeftToThem)
 {
-    const Mirror mirror = {{0.0, 0.0, 1.0}, view_at(0.7), {0.0, 1.0, 0.0}, 0.3,
-                           vec3(0.0),       vec3(0.0),    {0.7, 0.2}};
+    const Mirror mirror = {
+        {{0.0, 0.0, 1.0}, view_at(0.7), vec3(0.0), vec3(0.0)}, {0.0, 1.0, 0.0}, 0.3, {0.7, 0.2}};
     const LobeLight light = specular_ggx({{0.0, 0.6, 0.8}, {1.0e3, 4.0e3}}, mirror);
     EXPECT_EQ(light.plain.x, 0.0);
     EXPECT_EQ(light.grazing.x, 0.0);
@@ -79,7 +79,7 @@ TEST(SpecularGgx, APixelSeesAMirrorAsWideAsItIs)
     const vec3 N(0.0, 0.0, 1.0), V = view_at(0.8);
     const vec3 R(-V.x, 0.0, V.z), aside(0.0, 1.0, 0.0), up = cross(R, aside);
     const vec3 dx = 0.03 * aside + 0.01 * up, dy = 0.002 * aside - 0.02 * up;
-    const Footprint footprint = footprint_of({N, V, aside, 0.1, dx, dy, {1.0, 0.1}});
+    const Footprint footprint = footprint_of({N, V, dx, dy});
     const double area = 0.03 * 0.02 + 0.002 * 0.01; // of the parallelogram
     EXPECT_NEAR(footprint.size, area, 1e-9);
     double sum = 0.0, xx = 0.0, yy = 0.0, xy = 0.0;
@@ -101,7 +101,7 @@ TEST(SpecularGgx, APixelSeesAMirrorAsWideAsItIs)
 double seen_of_a_white_sky(double alpha, double width, double albedo)
 {
     const vec3 V = view_at(0.9), R(-V.x, 0.0, V.z), aside(0.0, 1.0, 0.0), up = cross(R, aside);
-    const Mirror mirror = {{0.0, 0.0, 1.0}, V, aside, alpha, width * aside, width * up, {albedo, 0.0}};
+    const Mirror mirror = {{{0.0, 0.0, 1.0}, V, width * aside, width * up}, aside, alpha, {albedo, 0.0}};
     constexpr int rings = 400, steps = 48;
     double seen = 0.0;
     for (int i = 0; i < rings; ++i) { // about R, finer towards it

@@ -119,10 +119,9 @@ TEST(SpecularGgx, PlacesAndBlursHaveThePixelsVarianceTogether)
             for (double width : {0.001, 0.02, 0.1, 0.3})
                 for (int samples : {8, 40}) {
                     const vec3 V = view_at(NV), R(-V.x, 0.0, V.z), up = cross(R, aside);
-                    const Mirror mirror = {{0.0, 0.0, 1.0}, V,          aside,     alpha,
-                                           width * aside,   width * up, {1.0, 0.1}};
                     const LobeSampling lobe = lobe_sampling(V, alpha, 1.0 / samples);
-                    const PixelBlur blur = pixel_blur(mirror, lobe, 1.0 / samples);
+                    const ShinyPoint point = {{0.0, 0.0, 1.0}, V, width * aside, width * up};
+                    const PixelBlur blur = pixel_blur(point, lobe.variance, 1.0 / samples);
                     const double area = width * width, share = 0.3 * area / samples; // of one of the samples
                     EXPECT_NEAR(blur.moved * blur.moved * area / 12.0 + blur.variance - share, area / 12.0,
                                 1e-9 * area)

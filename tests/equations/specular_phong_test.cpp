@@ -58,7 +58,9 @@ std::vector<Looked> look_as_report()
 
 std::vector<Looked> look_matched()
 {
-    return look([](auto... a) { return in_double::specular_phong(a...); });
+    return look([](const Environment& e, const Phong& p, vec3 N, vec3 V, vec3 across) {
+        return in_double::specular_phong(e, p, {N, V, vec3(0.0), vec3(0.0)}, across);
+    });
 }
 
 vec3 halfway(vec3 a, vec3 b)
@@ -118,7 +120,9 @@ TEST(SpecularPhong, LevelsOfTheLobesMiddle)
         const double D = (a + 2.0) / (2.0 * pi);
         EXPECT_NEAR(in_double::middle_level_report(e, a),
                     std::max(0.5 * std::log2(1024.0 * 512.0 / 16.0) - 0.5 * std::log2(D / 4.0), 0.0), 1e-9);
-        const double level = in_double::middle_level_phong(e, a), below = std::floor(level);
+        const double level = in_double::middle_level_phong(
+                         e, {{0.0, 0.0, 1.0}, {0.0, 0.0, 1.0}, vec3(0.0), vec3(0.0)}, a),
+                     below = std::floor(level);
         const auto variance = [](double l) { return l < 1.0 ? 1.0 / 16.0 : std::pow(4.0, l - 1.0); };
         const double blend = variance(below) + (level - below) * (variance(below + 1.0) - variance(below));
         EXPECT_NEAR(blend, std::max(0.3 * 2.0 * pi / (16.0 * (a + 1.0)) / 1.5e-4, 1.0 / 16.0), 1e-6 * blend);
@@ -176,10 +180,61 @@ TEST(SpecularPhong, LampsAreSeenThroughTheLobe)
             const double wH = cosine_between(lit.lamp, halfway(lit.lamp, l.V));
             const double F = 0.04 + 0.96 * std::pow(1.0 - wH, 5.0);
             const double wanted = density * NL * F / (4.0 * wH * wH);
-            const vec3 seen = in_double::lamps_phong(lit, l.material, l.N, l.V, 1.0 / 16.0);
+            const vec3 seen = in_double::lamps_phong(lit, l.material, {l.N, l.V, vec3(0.0), vec3(0.0)},
+                                                     {0.0, 0.0, 0.0}, 1.0 / 16.0);
             EXPECT_NEAR(seen.x, wanted, 1e-6 * wanted + 1e-9) << a;
         }
     }
+}
+
+// Samples that move about in the pixel have, with the pixel's part of the blur, the variance of a pixel: a twelfth of its
+// area along each side. What is left in the blur is that of samples of the pixel itself, 0.3 of its N-th part.
+TEST(SpecularPhong, PlacesAndBlursHaveThePixelsVarianceTogether)
+{
+    const vec3 N(0.0, 0.0, 1.0), V(0.0, -0.6, 0.8), aside(1.0, 0.0, 0.0), up(0.0, 0.8, -0.6);
+    for (double exponent : {1.0, 625.0, 390625.0})
+        for (double width : {0.001, 0.02, 0.3}) {
+            const in_double::PixelBlur blur =
+                in_double::pixel_blur_phong({N, V, width * aside, width * up}, exponent, 1.0 / 16.0);
+            const double area = width * width, share = 0.3 * area / 16.0;
+            EXPECT_NEAR(blur.moved * blur.moved * area / 12.0 + blur.variance - share, area / 12.0,
+                        1e-9 * area);
+            EXPECT_EQ(blur.moved > 0.9, width > std::sqrt(9.0 * pi / (exponent + 1.0)))
+                << exponent << ' ' << width;
+        }
+}
+
+// What a pixel `width` wide sees of a sky of lamps, of radiance 1 in the first channel: by rings about the mirrored view,
+// finer towards it.
+double seen_of_a_white_sky(double exponent, double width)
+{
+    const vec3 N(0.0, 0.0, 1.0), V(0.0, -0.6, 0.8), R(0.0, 0.6, 0.8), aside(1.0, 0.0, 0.0),
+        up(0.0, 0.8, -0.6);
+    const in_double::ShinyPoint point = {N, V, width * aside, width * up};
+    const in_double::PixelBlur blur = in_double::pixel_blur_phong(point, exponent, 1.0 / 16.0);
+    Environment lit = {16, 1024.0, 512.0, 1.5e-4, nullptr};
+    lit.lamps = 1;
+    constexpr int rings = 400, steps = 48;
+    double seen = 0.0;
+    for (int i = 0; i < rings; ++i) {
+        const double t = (i + 0.5) / rings, theta = 1.5 * t * t * t * t, wide = 6.0 * t * t * t / rings;
+        for (int j = 0; j < steps; ++j) {
+            const double phi = 2.0 * pi * (j + 0.5) / steps;
+            lit.lamp = std::cos(theta) * R + std::sin(theta) * (std::cos(phi) * aside + std::sin(phi) * up);
+            seen += std::sin(theta) * wide * 2.0 * pi / steps *
+                    in_double::lamps_phong(lit, {vec3(0.0), vec3(1.0), exponent}, point, blur, 1.0 / 16.0).x;
+        }
+    }
+    return seen;
+}
+
+// Through the lobe, the pixel or both it is a quarter over (w.H)^2, times N.w, at the mirrored view.
+TEST(SpecularPhong, LampsAllAroundAreAWhiteSky)
+{
+    const double weight = 0.8 / (4.0 * 0.8 * 0.8);
+    for (double exponent : {625.0, 15625.0, 390625.0})
+        for (double width : {0.0, 0.003, 0.02, 0.06, 0.2})
+            EXPECT_NEAR(seen_of_a_white_sky(exponent, width) / weight, 1.0, 0.04) << exponent << ' ' << width;
 }
 
 } // namespace

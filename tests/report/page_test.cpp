@@ -81,6 +81,15 @@ TEST(Page, CommandsStandThereAsTheyWere)
               "  lambent  render &#39;a b&#39; -o x.png ");
 }
 
+TEST(Page, OptionsInSentencesAreNotTorn)
+{
+    EXPECT_EQ(
+        prose("p", "With --mip-level, or -- <--x>."),
+        "<p>With <code class=\"option\">--mip-level</code>, or <code class=\"option\">--</code> &lt;<code "
+        "class=\"option\">--x</code>&gt;.</p>");
+    EXPECT_EQ(prose("p class=\"a\"", ""), "<p class=\"a\"></p>");
+}
+
 TEST(Page, HostileNamesStayFilesAndIdsStayIds)
 {
     Page page = page_of("calm");

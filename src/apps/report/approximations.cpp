@@ -16,13 +16,7 @@ double kept_energy(Workshop& workshop, int exponent)
                     text("sphere --model phong --kd 0,0,0 --ks 1,1,1 --alpha ", exponent,
                          " --env furnace --background none --camera 0,0 --size 64x64"),
                     "", ""};
-    const image::RadianceImage& light = workshop.reference(shot).radiance;
-    double sum = 0.0, covered = 0.0;
-    for (std::size_t i = 0; i < light.values.size(); i += 4) {
-        sum += static_cast<double>(light.values[i]);
-        covered += static_cast<double>(light.values[i + 3]);
-    }
-    return sum / covered;
+    return mean_on_surfaces(workshop.reference(shot).radiance);
 }
 
 } // namespace

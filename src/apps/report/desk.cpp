@@ -16,6 +16,17 @@ Picture Desk::proven(const Shot& shot, const std::string& figure)
     return picture;
 }
 
+double mean_on_surfaces(const image::RadianceImage& light)
+{
+    double sum = 0.0, covered = 0.0;
+    for (std::size_t i = 0; i < light.values.size(); i += 4) {
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            sum += static_cast<double>(light.values[i + channel]) / 3.0;
+        covered += static_cast<double>(light.values[i + 3]);
+    }
+    return sum / covered;
+}
+
 Matrix transposed(const Matrix& matrix)
 {
     Matrix turned{matrix.columns, matrix.rows, {}};

@@ -35,8 +35,14 @@ Section passes(Desk& desk);
 Section beyond(Desk& desk);
 Section making(const Desk& desk);
 
+/// The mean of what surfaces send towards the viewer, over all pixels and colours of them.
+double mean_on_surfaces(const image::RadianceImage& light);
+
 /// Rows as columns: pictures that are to be compared stand side by side, and as large as few columns leave them.
 Matrix transposed(const Matrix& matrix);
+
+/// The report's figures of direct light: three of a sphere at exponent 0.1, a teapot at 20000, a plane at 20.
+std::vector<Shot> direct_shots();
 
 /// The report's reflecting sphere on its ground, at an exponent; `levels` is the --mip-level.
 Shot reflecting(int exponent, const std::string& levels);

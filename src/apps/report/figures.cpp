@@ -262,7 +262,7 @@ std::string figure_html(const Figure& figure, const Place& place)
     html += content.shown;
     std::string caption = content.folded;
     if (!figure.caption.empty())
-        caption = element("p class=\"caption\"", figure.caption) + "\n" + caption;
+        caption = prose("p class=\"caption\"", figure.caption) + "\n" + caption;
     if (!caption.empty())
         html += "<figcaption>" + caption + "</figcaption>\n";
     return html + "</figure>\n";

@@ -32,6 +32,14 @@ std::string escaped(char c)
     return is_control || c == 0x7f ? "\uFFFD" : std::string(1, c);
 }
 
+// What is escaped already, in a tag.
+std::string enclosed(std::string_view tag, std::string_view html)
+{
+    std::string all = "<";
+    all.append(tag).append(">").append(html).append("</");
+    return all.append(tag.substr(0, tag.find(' '))).append(">");
+}
+
 } // namespace
 
 std::string escape(std::string_view text)
@@ -67,9 +75,24 @@ std::string attribute(std::string_view name, std::string_view value)
 
 std::string element(std::string_view tag, std::string_view text)
 {
-    std::string html = "<";
-    html.append(tag).append(">").append(escape(text)).append("</");
-    return html.append(tag.substr(0, tag.find(' '))).append(">");
+    return enclosed(tag, escape(text));
+}
+
+std::string prose(std::string_view tag, std::string_view text)
+{
+    std::string html;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t option = text.find("--", at);
+        if (option == std::string_view::npos)
+            return enclosed(tag, html + escape(text.substr(at)));
+        std::size_t end = option + 2;
+        while (end < text.size() && (is_letter_or_digit(text[end]) || text[end] == '-'))
+            ++end;
+        html += escape(text.substr(at, option - at)) +
+                element("code class=\"option\"", text.substr(option, end - option));
+        at = end;
+    }
+    return enclosed(tag, html);
 }
 
 std::string decimal(double value)

@@ -19,6 +19,9 @@ std::string attribute(std::string_view name, std::string_view value);
 /// `<tag>text</tag>`, the text escaped. `tag` may bring attributes of its own.
 std::string element(std::string_view tag, std::string_view text);
 
+/// The same of a sentence, whose options, such as --size, are code that no line breaks: browsers do after hyphens.
+std::string prose(std::string_view tag, std::string_view text);
+
 /// A number as CSS and SVG read it, to a hundredth.
 std::string decimal(double value);
 

@@ -60,7 +60,7 @@ std::string chapter_html(const Chapter& chapter)
     std::string html = "<section" + attribute("id", chapter.id) + ">\n<h2><span class=\"section-number\">" +
                        chapter.number + "</span> " + escape(chapter.section->title) + "</h2>\n";
     for (const std::string& paragraph : chapter.section->text)
-        html += element("p", paragraph) + "\n";
+        html += prose("p", paragraph) + "\n";
     for (std::size_t i = 0; i < chapter.places.size(); ++i)
         html += figure_html(chapter.section->figures[i], chapter.places[i]);
     return html + "</section>\n";
@@ -101,7 +101,7 @@ std::string to_html(const Page& page)
     html += "<div class=\"columns\">\n<nav class=\"beside\" aria-label=\"Contents beside the text\">" +
             contents + "</nav>\n<article id=\"text\" tabindex=\"-1\">\n" + element("h1", page.title) + "\n";
     if (!page.lead.empty())
-        html += element("p class=\"lead\"", page.lead) + "\n";
+        html += prose("p class=\"lead\"", page.lead) + "\n";
     for (const Chapter& chapter : chapters)
         html += chapter_html(chapter);
     return html + facts_html(page) + "</article>\n</div>\n</main>\n" + viewer_html + "</body>\n</html>\n";

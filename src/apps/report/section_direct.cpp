@@ -52,6 +52,11 @@ void add_luminance(Workshop& workshop, const Shot& shot, Picture& picture)
 
 } // namespace
 
+std::vector<Shot> direct_shots()
+{
+    return {glancing(), lit_side(), with_point(), teapot(), streak()};
+}
+
 Section direct_light(Desk& desk)
 {
     Section section{

@@ -65,6 +65,16 @@ Shot mirror(Way way, const std::string& shape, int exponent)
             text("A ", shape, " that reflects the room with exponent ", exponent, ", ", row_of(way))};
 }
 
+// A figure of direct light, by the BRDF and nothing else: its sums are what is shown.
+Shot direct(Way way, Shot shot)
+{
+    shot.name = text("own-", shot.name, "-", name_of(way));
+    shot.alt += ", " + row_of(way);
+    if (way == Way::report)
+        shot.words += " --pipeline report";
+    return shot;
+}
+
 std::string difference(Desk& desk, const Shot& report, const Shot& light)
 {
     return percent(compare::code_difference(desk.workshop.codes(report), desk.workshop.codes(light)));
@@ -158,6 +168,61 @@ Matrix mirrors(Desk& desk, const std::string& shape)
     return transposed(matrix);
 }
 
+Matrix direct_lights(Desk& desk)
+{
+    Matrix matrix{{row_of(Way::report), row_of(Way::light)}, {}, {}};
+    for (const Shot& shot : direct_shots())
+        matrix.columns.push_back(shot.title);
+    for (const Way way : {Way::report, Way::light})
+        for (const Shot& shot : direct_shots()) {
+            matrix.pictures.push_back(desk.workshop.picture(direct(way, shot)));
+            if (way == Way::report)
+                matrix.pictures.back().numbers.push_back(
+                    {"difference", difference(desk, direct(way, shot), direct(Way::light, shot))});
+        }
+    return transposed(matrix);
+}
+
+// The order of things alone: nonlinear colour throughout, the curve first in one and last in the other.
+Shot chart_with_curve(double exposure, bool last)
+{
+    Shot shot = chart(Way::nonlinear, exposure);
+    if (last)
+        shot = {
+            text("own-curve-last-", exposure),
+            text("painted --ks 0,0,0 --alpha 1 --camera 240,14,2.6 --fov 34 --model phong --space nonlinear "
+                 "--ambient-brightness 2 --exposure ",
+                 rounded(texel_scale * exposure, 4)),
+            shot.title, shot.alt};
+    return shot;
+}
+
+Table order_costs(Desk& desk)
+{
+    Table table{{"exposure", "the power of 2.2", "the curve before the BRDF"}, {}};
+    for (const double exposure : chart_exposures)
+        table.rows.push_back(
+            {text(exposure), difference(desk, sky(Way::report, exposure), sky(Way::light, exposure)),
+             difference(desk, chart_with_curve(exposure, false), chart_with_curve(exposure, true))});
+    return table;
+}
+
+// Of white light, by the mean over the disc of a white sphere.
+Table density_costs(Desk& desk)
+{
+    Table table{{"\u03b1", "the mean of samples sends on", "its BRDF does", "of it, the mean"}, {}};
+    for (const int exponent : reflecting_exponents) {
+        const Shot white = {"",
+                            text("sphere --model phong --kd 0,0,0 --ks 1,1,1 --alpha ", exponent,
+                                 " --env furnace --background none --camera 0,0 --size 96x96"),
+                            "", ""};
+        const double mean = mean_on_surfaces(desk.workshop.frame(white).radiance),
+                     exact = mean_on_surfaces(desk.workshop.reference(white).radiance);
+        table.rows.push_back({text(exponent), percent(mean), percent(exact), percent(mean / exact)});
+    }
+    return table;
+}
+
 } // namespace
 
 Section own_pipeline(Desk& desk)
@@ -173,32 +238,46 @@ Section own_pipeline(Desk& desk)
          text("Texels of this room are taken ", texel_scale,
               " times as bright, as a factor on the exposure: so bright the captions below come true.")},
         {}};
-    section.figures.push_back(
+    section.figures = {
+        {"own-direct", "Lights without size",
+         "The report's own figures of its BRDF: a sphere at \u03b1 = 0.1, a crescent against the light and "
+         "even from the light's side, then with a point light; a teapot that is nearly a mirror; an oval "
+         "under a low light. Its direct light has no curve: sums are shown as they are, cut at 1. The "
+         "difference is the RMS of that of the codes, of 255.",
+         direct_lights(desk)},
+        {"own-diffuse", "Diffuse light, nonlinear and linear", chart_caption(desk.workshop),
+         transposed(charts(desk))},
         {"own-sky", "The sky sphere at six exposures",
          "The report says of 7000 that it is a bright wash, of 70 that it exposes well, of 1 that it is "
-         "twilight "
-         "with nothing bright left but highlights. Beside it the same light, bent once, at the end. The "
-         "difference is the RMS of that of the codes, of 255; on the sky the two differ by the power of 2.2 "
-         "alone, of light that was linear already.",
-         transposed(skies(desk))});
-    section.figures.push_back(
+         "twilight with nothing bright left but highlights. Beside it the same light, bent once, at the end. "
+         "On the sky the two differ by the power of 2.2 alone, of light that was linear already.",
+         transposed(skies(desk))},
         {"own-sky-numbers", "The captions, measured",
          "Means over all pixels. Blank: every channel at least 250. Near black: none above 25.",
-         sky_table(desk)});
-    section.figures.push_back({"own-diffuse", "Diffuse light, nonlinear and linear",
-                               chart_caption(desk.workshop), transposed(charts(desk))});
-    section.figures.push_back(
+         sky_table(desk)},
         {"own-sphere", "From paper to mirror, on a sphere",
-         "A mirror reflects a quarter of the light that is straight before it and more than all of it at a "
-         "slant, for samples are not divided by their density. The root of the mean makes up for some of it.",
-         mirrors(desk, "sphere")});
-    section.figures.push_back(
+         "The report goes from one flat colour at 1 to a mirror at 390625, and finds its blocks hidden on a "
+         "sphere. A mirror reflects a quarter of the light that is straight before it and more than all of "
+         "it at a slant, for samples are not divided by their density. The root of the mean makes up for "
+         "some of it.",
+         mirrors(desk, "sphere")},
         {"own-plane", "The same on a plane",
-         "Each sample is one texel of one level: on a plane, which spreads few of them over many pixels, "
-         "they "
-         "show as facets and ribs, and the sphere hides them. Blockiness at 15625 is the structure of a few "
-         "pixels by which a picture differs from the same pass with 1024 samples, over the mean.",
-         mirrors(desk, "plane")});
+         "The report finds blocks at 15625 here. Each sample is one texel of one level: on a plane, which "
+         "spreads few of them over many pixels, they show as facets and ribs. Blockiness at 15625 is the "
+         "structure of a few pixels by which a picture differs from the same pass with 1024 samples, over "
+         "the mean.",
+         mirrors(desk, "plane")},
+        {"own-order", "What its order of things costs",
+         "RMS of the difference of codes, of 255. The power of 2.2, on light that was linear already: on the "
+         "sky, with it and without. The curve before the BRDF: on the chart of colours, in nonlinear colour "
+         "throughout, once on each value that lights it and once on what is seen.",
+         order_costs(desk)},
+        {"own-density", "What the missing density costs",
+         "A white sphere in white light. The report's sum has neither D(H) nor the density of its samples, "
+         "as "
+         "if the one made up for the other. The mean over the disc that the sum sends on, before its root, "
+         "and what the integral of the BRDF does.",
+         density_costs(desk)}};
     return section;
 }
 

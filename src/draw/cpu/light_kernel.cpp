@@ -126,7 +126,7 @@ HWY_INLINE vec3 environment_report_radiance(const Environment& e, vec3 d, Real l
     vec3 sum(0.0);
     for (int i = 0; i < e.mip_levels; ++i) {
         const Real weight = max(1.0 - abs(clamped - Real(i)), 0.0);
-        if (any(weight > 0.0))
+        if (any_of(weight > 0.0))
             sum += (weight * Real(e.mips[i].scale)) * panorama_bilinear(view(e.mips[i]), uv);
     }
     return sum;
@@ -138,7 +138,7 @@ HWY_INLINE vec3 environment_report_texel(const Environment& e, vec3 d, Real leve
     const Real nearest = floor(min(level, e.mip_levels - 1) + 0.5);
     vec3 sum(0.0);
     for (int i = 0; i < e.mip_levels; ++i)
-        if (const auto here = abs(nearest - Real(i)) < 0.5; any(here))
+        if (const auto here = abs(nearest - Real(i)) < 0.5; any_of(here))
             sum += select(here, Real(e.mips[i].scale) * panorama_nearest(view(e.mips[i]), uv), vec3(0.0));
     return sum;
 }
@@ -195,18 +195,19 @@ Arrival arrival_at(const LightSource& light, vec3 point)
 
 void add_direct(const LightContext& c, std::span<const LightSource> lights, size_t at, Fragments& f)
 {
-    const vec3 N = load3(f, shading_x, at), V = load3(f, view_x, at), point = load3(f, position_x, at);
+    const ShinyPoint s = {load3(f, shading_x, at), load3(f, view_x, at), load3(f, mirrored_dx_x, at),
+                          load3(f, mirrored_dy_x, at)};
+    const vec3 point = load3(f, position_x, at);
     vec3 sum = load3(f, direct_r, at);
     if (c.model == Model::phong) {
         const Phong p = phong_at(f, at);
         for (const LightSource& light : lights)
-            sum += direct_phong(p, N, V, arrival_at(light, point));
+            sum += direct_phong_in_pixel(p, s, arrival_at(light, point));
     } else {
-        Metallic m = metallic_at(c, f, at);
-        const vec2 albedo = albedo_of(dot(N, V), m.alpha);
-        m.alpha = alpha_in_pixel(m.alpha, load3(f, mirrored_dx_x, at), load3(f, mirrored_dy_x, at));
+        const Metallic m = metallic_at(c, f, at);
+        const vec2 albedo = albedo_of(dot(s.normal, s.view), m.alpha);
         for (const LightSource& light : lights)
-            sum += direct_metallic(m, albedo, N, V, arrival_at(light, point));
+            sum += direct_metallic_in_pixel(m, albedo, s, arrival_at(light, point));
     }
     store3(sum, f, direct_r, at);
 }
@@ -235,28 +236,28 @@ void add_ambient(const LightContext& c, size_t at, Fragments& f)
            f, ambient_r, at);
 }
 
+// In the environment's own frame.
+ShinyPoint shiny_at(const LightContext& c, const Fragments& f, size_t at)
+{
+    return {turned(c, load3(f, shading_x, at)), turned(c, load3(f, view_x, at)),
+            turned(c, load3(f, mirrored_dx_x, at)), turned(c, load3(f, mirrored_dy_x, at))};
+}
+
 Mirror mirror_at(const LightContext& c, const Fragments& f, size_t at)
 {
-    const vec3 N = turned(c, load3(f, shading_x, at)), V = turned(c, load3(f, view_x, at));
+    const ShinyPoint s = shiny_at(c, f, at);
     const Real alpha = load(f[gloss] + at);
-    Mirror mirror = {N,
-                     V,
-                     turned(c, uniform(c.across)),
-                     alpha,
-                     turned(c, load3(f, mirrored_dx_x, at)),
-                     turned(c, load3(f, mirrored_dy_x, at)),
-                     albedo_of(dot(N, V), alpha)};
-    return mirror;
+    return {s, turned(c, uniform(c.across)), alpha, albedo_of(dot(s.normal, s.view), alpha)};
 }
 
 void add_specular_phong(const LightContext& c, const Environment& e, size_t at, Fragments& f)
 {
-    const vec3 N = turned(c, load3(f, shading_x, at)), V = turned(c, load3(f, view_x, at));
+    const ShinyPoint s = shiny_at(c, f, at);
     const vec3 across = turned(c, uniform(c.across));
     const Phong p = phong_at(f, at);
-    store3(c.pipeline                        ? specular_pipeline_report(e, report_tone(c), p, N, V, across)
-           : c.mip_level == MipLevel::report ? specular_phong_report(e, p, N, V, across)
-                                             : specular_phong(e, p, N, V, across),
+    store3(c.pipeline ? specular_pipeline_report(e, report_tone(c), p, s.normal, s.view, across)
+           : c.mip_level == MipLevel::report ? specular_phong_report(e, p, s.normal, s.view, across)
+                                             : specular_phong(e, p, s, across),
            f, reflected_r, at);
 }
 
@@ -284,7 +285,7 @@ void find_middle_level(const LightContext& c, const Environment& e, size_t at, F
     const Real level = c.model == Model::ggx ? middle_level_ggx(e, mirror_at(c, f, at))
                        : c.pipeline          ? middle_level_pipeline(e, exponent)
                        : report              ? middle_level_report(e, exponent)
-                                             : middle_level_phong(e, exponent);
+                                             : middle_level_phong(e, shiny_at(c, f, at), exponent);
     store(part_of_levels(level, Real((report ? e.mip_levels : e.levels) - 1)), f[middle_level] + at);
 }
 

@@ -88,8 +88,7 @@ void find_lights(int first)
 
 // A fragment as the direct pass sees it.
 struct Receiver {
-    vec3 N;
-    vec3 V;
+    ShinyPoint shiny;
     vec3 point;
     Metallic metallic;
     Phong phong;
@@ -99,18 +98,16 @@ struct Receiver {
 Receiver receiver_at(uint at)
 {
     Metallic m = metallic_at(at);
-    vec3 N = load3(column_normal, at);
-    vec3 V = load3(column_view, at);
-    vec2 albedo = albedo_of(dot(N, V), m.alpha);
-    m.alpha = alpha_in_pixel(m.alpha, load3(column_mirrored_dx, at), load3(column_mirrored_dy, at));
-    return Receiver(N, V, load3(column_position, at), m, phong_at(at), albedo);
+    ShinyPoint s = ShinyPoint(load3(column_normal, at), load3(column_view, at), load3(column_mirrored_dx, at),
+                              load3(column_mirrored_dy, at));
+    return Receiver(s, load3(column_position, at), m, phong_at(at), albedo_of(dot(s.normal, s.view), m.alpha));
 }
 
 vec3 light_from(Receiver r, LightRecord light)
 {
     Arrival arrival = arrival_at(light, r.point);
-    return model == model_phong ? direct_phong(r.phong, r.N, r.V, arrival)
-                                : direct_metallic(r.metallic, r.albedo, r.N, r.V, arrival);
+    return model == model_phong ? direct_phong_in_pixel(r.phong, r.shiny, arrival)
+                                : direct_metallic_in_pixel(r.metallic, r.albedo, r.shiny, arrival);
 }
 
 // For all of a group together: lights out of reach of all of them are passed over.
@@ -145,26 +142,30 @@ void add_ambient(uint at)
                                      : ambient_light(diffuse, irradiance, brightness), column_ambient, at);
 }
 
+// In the environment's own frame.
+ShinyPoint shiny_at(uint at)
+{
+    return ShinyPoint(turned(load3(column_normal, at)), turned(load3(column_view, at)), turned(load3(column_mirrored_dx, at)),
+                      turned(load3(column_mirrored_dy, at)));
+}
+
 Mirror mirror_at(uint at)
 {
-    vec3 N = turned(load3(column_normal, at));
-    vec3 V = turned(load3(column_view, at));
+    ShinyPoint s = shiny_at(at);
     float alpha = load(column_gloss, at);
-    return Mirror(N, V, turned(picture.across.xyz), alpha, turned(load3(column_mirrored_dx, at)),
-                  turned(load3(column_mirrored_dy, at)), albedo_of(dot(N, V), alpha));
+    return Mirror(s, turned(picture.across.xyz), alpha, albedo_of(dot(s.normal, s.view), alpha));
 }
 
 vec3 reflected_phong(Environment e, uint at)
 {
-    vec3 N = turned(load3(column_normal, at));
-    vec3 V = turned(load3(column_view, at));
+    ShinyPoint s = shiny_at(at);
     vec3 across = turned(picture.across.xyz);
     Phong p = phong_at(at);
     if (levels == levels_pipeline)
-        return specular_pipeline_report(e, report_tone(), p, N, V, across);
+        return specular_pipeline_report(e, report_tone(), p, s.normal, s.view, across);
     if (levels == levels_report)
-        return specular_phong_report(e, p, N, V, across);
-    return specular_phong(e, p, N, V, across);
+        return specular_phong_report(e, p, s.normal, s.view, across);
+    return specular_phong(e, p, s, across);
 }
 
 vec3 reflected_ggx(Environment e, uint at)
@@ -185,7 +186,7 @@ float middle_level(Environment e, uint at)
         return part_of_levels(middle_level_pipeline(e, exponent), float(textureQueryLevels(mips) - 1));
     if (levels == levels_report)
         return part_of_levels(middle_level_report(e, exponent), float(textureQueryLevels(mips) - 1));
-    return part_of_levels(middle_level_phong(e, exponent), float(textureQueryLevels(chain) - 1));
+    return part_of_levels(middle_level_phong(e, shiny_at(at), exponent), float(textureQueryLevels(chain) - 1));
 }
 
 void add_specular(uint at)
