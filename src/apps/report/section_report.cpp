@@ -108,6 +108,24 @@ Table sky_table(Desk& desk)
     return table;
 }
 
+// What the captions ask of the room's brightness: a wash at 7000, three of four pixels of which are blank; a good exposure
+// at 70; nothing blank in the twilight of 1.
+Table scale_table(Desk& desk)
+{
+    Table table{{"texels times", "blank at 7000", "neither blank nor near black at 70", "blank at 1"}, {}};
+    for (const double scale : {0.1, 0.2, texel_scale, 0.4, 0.6}) {
+        const auto look = [&](double exposure) {
+            Shot shot = sky(Way::report, exposure);
+            shot.words += text(" --exposure ", rounded(std::pow(scale, 2.2) * exposure, 4));
+            return compare::look_of(desk.workshop.codes(shot));
+        };
+        const compare::Look well = look(70);
+        table.rows.push_back({text(scale), percent(look(7000).blank), percent(1.0 - well.blank - well.black),
+                              percent(look(1).blank)});
+    }
+    return table;
+}
+
 Matrix charts(Desk& desk)
 {
     Matrix matrix{{row_of(Way::nonlinear), row_of(Way::report), row_of(Way::light)}, {}, {}};
@@ -255,6 +273,12 @@ Section own_pipeline(Desk& desk)
         {"own-sky-numbers", "The captions, measured",
          "Means over all pixels. Blank: every channel at least 250. Near black: none above 25.",
          sky_table(desk)},
+        {"own-scale", "How bright the room is taken",
+         text(
+             "Of 7000 the report says that it is a wash: let three of four pixels be blank. Of 1, that it is "
+             "twilight: let none be. Texels ",
+             texel_scale, " times as bright do both, and leave most of 70 between the ends."),
+         scale_table(desk)},
         {"own-sphere", "From paper to mirror, on a sphere",
          "The report goes from one flat colour at 1 to a mirror at 390625, and finds its blocks hidden on a "
          "sphere. A mirror reflects a quarter of the light that is straight before it and more than all of "
