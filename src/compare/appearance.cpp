@@ -1,6 +1,7 @@
 #include "compare/appearance.h"
 
 #include "equations/in_double.h"
+#include "image/luminance.h"
 
 #include <algorithm>
 #include <array>
@@ -11,13 +12,6 @@
 
 namespace lambent::compare {
 namespace {
-
-template <class Values>
-double luminance(const Values& rgb)
-{
-    return 0.2126 * static_cast<double>(rgb[0]) + 0.7152 * static_cast<double>(rgb[1]) +
-           0.0722 * static_cast<double>(rgb[2]);
-}
 
 std::size_t pixel_count(const image::RadianceImage& light)
 {
@@ -97,7 +91,7 @@ double displayed_luminance(const image::CodeImage& codes)
     const std::size_t count = static_cast<std::size_t>(codes.width) * static_cast<std::size_t>(codes.height);
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint8_t* code = code_of(codes, i);
-        sum += luminance(std::array{shown[code[0]], shown[code[1]], shown[code[2]]});
+        sum += image::luminance(shown[code[0]], shown[code[1]], shown[code[2]]);
     }
     return sum / static_cast<double>(count);
 }
@@ -156,7 +150,7 @@ double kept_hue_order(const image::CodeImage& codes, const image::RadianceImage&
     const auto brightest =
         pixels.begin() + static_cast<std::ptrdiff_t>(std::max<std::size_t>(1, pixels.size() / 10));
     std::nth_element(pixels.begin(), brightest - 1, pixels.end(), [&](std::size_t a, std::size_t b) {
-        return luminance(value_of(light, a)) > luminance(value_of(light, b));
+        return image::luminance(value_of(light, a)) > image::luminance(value_of(light, b));
     });
     const auto kept = std::count_if(pixels.begin(), brightest, [&](std::size_t i) {
         return keeps_order(code_of(codes, i), value_of(light, i));
@@ -170,7 +164,7 @@ double luminance_spread(const image::RadianceImage& light)
     for (std::size_t i = 0; i < pixel_count(light); ++i) {
         if (!is_covered(light, i))
             continue;
-        const double value = luminance(value_of(light, i));
+        const double value = image::luminance(value_of(light, i));
         sum += value;
         squares += value * value;
         count += 1.0;
@@ -189,7 +183,7 @@ double fine_difference(const image::RadianceImage& picture, const image::Radianc
                static_cast<std::size_t>(x);
     };
     const auto difference = [&](std::size_t i) {
-        return luminance(value_of(picture, i)) - luminance(value_of(limit, i));
+        return image::luminance(value_of(picture, i)) - image::luminance(value_of(limit, i));
     };
     for (int y = 0; y < limit.height; ++y)
         for (int x = 0; x < limit.width; ++x) {
@@ -206,7 +200,7 @@ double fine_difference(const image::RadianceImage& picture, const image::Radianc
             const double fine =
                 difference(i) - differences.around(x, y, radius) / counts.around(x, y, radius);
             squares += fine * fine;
-            light += luminance(value_of(limit, i));
+            light += image::luminance(value_of(limit, i));
             count += 1.0;
         }
     return light > 0.0 ? std::sqrt(squares * count) / light : 0.0;

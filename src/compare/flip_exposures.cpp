@@ -1,6 +1,7 @@
 #include "compare/flip_exposures.h"
 
 #include "equations/in_double.h"
+#include "image/luminance.h"
 
 #include <algorithm>
 #include <array>
@@ -41,11 +42,8 @@ std::vector<float> luminances(const image::RadianceImage& picture)
     all.reserve(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {
-            const float* rgb = picture.pixel(x, y);
-            // Rec. 709; rounded, the shares may add up to more than 1 and the sum go beyond the largest float.
-            const double luminance = 0.2126 * static_cast<double>(rgb[0]) +
-                                     0.7152 * static_cast<double>(rgb[1]) +
-                                     0.0722 * static_cast<double>(rgb[2]);
+            // Rounded, the shares may add up to more than 1 and the sum go beyond the largest float.
+            const double luminance = image::luminance(picture.pixel(x, y));
             all.push_back(static_cast<float>(std::clamp(luminance, 0.0, 3.4e38)));
         }
     return all;

@@ -1,5 +1,7 @@
 #include "reference/emitters.h"
 
+#include "image/luminance.h"
+
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -15,12 +17,6 @@ const scene::Material& material_of(const scene::Scene& scene, const scene::Insta
     return scene.materials[static_cast<std::size_t>(instance.material >= 0 ? instance.material : own)];
 }
 
-double luminance(const glm::vec3& c)
-{
-    return 0.2126 * static_cast<double>(c.r) + 0.7152 * static_cast<double>(c.g) +
-           0.0722 * static_cast<double>(c.b);
-}
-
 } // namespace
 
 Emitters::Emitters(const scene::Scene& scene)
@@ -29,7 +25,7 @@ Emitters::Emitters(const scene::Scene& scene)
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
         const scene::Instance& instance = scene.instances[i];
         const scene::Material& material = material_of(scene, instance);
-        const double radiance = material.unlit ? 0.0 : luminance(material.emissive);
+        const double radiance = material.unlit ? 0.0 : image::luminance(&material.emissive.r);
         densities_.push_back(radiance);
         if (!(radiance > 0.0))
             continue;

@@ -1,6 +1,7 @@
 #include "reference/environment_light.h"
 
 #include "equations/in_double.h"
+#include "image/luminance.h"
 #include "image/panorama_rows.h"
 
 #include <tbb/parallel_for.h>
@@ -16,12 +17,6 @@ using std::numbers::pi;
 
 // More cells than this do not fit a processor's caches.
 constexpr int most_columns = 2048, most_rows = 1024;
-
-double luminance(const float* rgb)
-{
-    return 0.2126 * static_cast<double>(rgb[0]) + 0.7152 * static_cast<double>(rgb[1]) +
-           0.0722 * static_cast<double>(rgb[2]);
-}
 
 // The first of `count` ascending ends that is above u.
 template <class Number>
@@ -70,8 +65,8 @@ double EnvironmentLight::smoothed_luminance(int x, int y) const
     for (int j = -1; j <= 1; ++j)
         for (int i = -1; i <= 1; ++i) {
             const int column = (x + i + width) % width, row = std::clamp(y + j, 0, height - 1);
-            sum +=
-                (i == 0 ? 0.75 : 0.125) * (j == 0 ? 0.75 : 0.125) * luminance(panorama_.pixel(column, row));
+            sum += (i == 0 ? 0.75 : 0.125) * (j == 0 ? 0.75 : 0.125) *
+                   image::luminance(panorama_.pixel(column, row));
         }
     return sum;
 }

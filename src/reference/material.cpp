@@ -2,6 +2,7 @@
 
 #include "environment/albedo_table.h"
 #include "equations/in_double.h"
+#include "image/luminance.h"
 
 #include <glm/geometric.hpp>
 
@@ -26,7 +27,7 @@ glm::dvec3 vec(const in_double::vec3& v)
 
 double luminance(const in_double::vec3& c)
 {
-    return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z;
+    return image::luminance(c.x, c.y, c.z);
 }
 
 in_double::Metallic metallic(const Surface& s, double compensation)

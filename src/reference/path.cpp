@@ -1,5 +1,6 @@
 #include "reference/path.h"
 
+#include "image/luminance.h"
 #include "reference/light_arrival.h"
 #include "reference/obstacles.h"
 
@@ -91,7 +92,7 @@ Path::Candidate Path::candidate(const Surface& surface, const Reflection& reflec
     const double weight =
         alone ? 1.0 : weight_of(candidates_ * drawn.density, reflection.density(drawn.direction));
     const glm::dvec3 light = (weight / drawn.density) * value * world_.environment->radiance_at(drawn.place);
-    return {drawn.direction, light, 0.2126 * light.x + 0.7152 * light.y + 0.0722 * light.z};
+    return {drawn.direction, light, image::luminance(&light.x)};
 }
 
 // The environment's light, from one of several directions, picked by what each would send on.

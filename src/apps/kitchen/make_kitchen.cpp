@@ -4,6 +4,7 @@
 #include "base/file.h"
 #include "display/display.h"
 #include "image/image_io.h"
+#include "image/luminance.h"
 #include "image/openexr.h"
 
 #include <cmath>
@@ -71,9 +72,7 @@ double mean_radiance(const image::RadianceImage& panorama)
     for (int y = 0; y < panorama.height; ++y) {
         const double ring = std::sin((y + 0.5) / panorama.height * 3.14159265358979);
         for (int x = 0; x < panorama.width; ++x) {
-            const float* p = panorama.pixel(x, y);
-            sum += ring * (0.2126 * static_cast<double>(p[0]) + 0.7152 * static_cast<double>(p[1]) +
-                           0.0722 * static_cast<double>(p[2]));
+            sum += ring * image::luminance(panorama.pixel(x, y));
             weight += ring;
         }
     }

@@ -1,5 +1,7 @@
 #include "apps/kitchen/smooth.h"
 
+#include "image/luminance.h"
+
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
@@ -38,7 +40,7 @@ struct Size {
 
 float luminance(const glm::vec3& c)
 {
-    return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b;
+    return static_cast<float>(image::luminance(&c.r));
 }
 
 // Single variances of eight replicates are rough: their mean over 3x3 pixels.

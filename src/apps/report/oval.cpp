@@ -1,5 +1,7 @@
 #include "apps/report/oval.h"
 
+#include "image/luminance.h"
+
 #include <glm/ext/vector_double2.hpp>
 #include <glm/ext/vector_double3.hpp>
 #include <glm/geometric.hpp>
@@ -9,12 +11,6 @@
 
 namespace lambent::report {
 namespace {
-
-double luminance(const float* rgb)
-{
-    return 0.2126 * static_cast<double>(rgb[0]) + 0.7152 * static_cast<double>(rgb[1]) +
-           0.0722 * static_cast<double>(rgb[2]);
-}
 
 class Moments {
 public:
@@ -51,12 +47,12 @@ Oval highlight_shape(const image::RadianceImage& light, const view::Camera& came
     double brightest = 0.0;
     for (int y = 0; y < light.height; ++y)
         for (int x = 0; x < light.width; ++x)
-            brightest = std::max(brightest, luminance(light.pixel(x, y)));
+            brightest = std::max(brightest, image::luminance(light.pixel(x, y)));
     const view::RayMap rays = view::ray_map(camera, light.width, light.height);
     Moments ground, picture;
     for (int y = 0; y < light.height; ++y)
         for (int x = 0; x < light.width; ++x) {
-            if (brightest <= 0.0 || luminance(light.pixel(x, y)) < 0.5 * brightest)
+            if (brightest <= 0.0 || image::luminance(light.pixel(x, y)) < 0.5 * brightest)
                 continue;
             const glm::dvec2 at(x + 0.5, y + 0.5);
             const glm::dvec3 origin = glm::dvec3(rays.origin) + at.x * glm::dvec3(rays.origin_dx) +

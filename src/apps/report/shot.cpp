@@ -1,5 +1,6 @@
 #include "apps/report/shot.h"
 
+#include "base/shell.h"
 #include "base/text.h"
 
 #include <algorithm>
@@ -17,22 +18,6 @@ constexpr std::array<std::string_view, 4> display_options = {"--exposure", "--co
                                                              "--dither"};
 constexpr std::array<std::string_view, 5> approximation_options = {"--samples", "--ibl", "--mip-level",
                                                                    "--ambient-brightness", "--aa"};
-
-bool is_plain(char c)
-{
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-           std::string_view("-_./,:=+%@").find(c) != std::string_view::npos;
-}
-
-std::string quoted(const std::string& word)
-{
-    if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain))
-        return word;
-    std::string inside;
-    for (const char c : word)
-        inside += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text("'", inside, "'");
-}
 
 Words without(const Words& words, std::span<const std::string_view> options)
 {
@@ -63,7 +48,7 @@ std::string typed(const Words& words)
 {
     std::string line;
     for (const std::string& word : words)
-        line += text(line.empty() ? "" : " ", quoted(word));
+        line += text(line.empty() ? "" : " ", shell_quoted(word));
     return line;
 }
 

@@ -3,6 +3,7 @@
 #include "apps/cli/picture_setup.h"
 #include "apps/cli/values.h"
 #include "base/error.h"
+#include "base/shell.h"
 #include "base/text.h"
 #include "scene/builtin.h"
 
@@ -183,17 +184,6 @@ std::vector<std::string> words_of(const Wish& wish)
         add({text("--animation=", wish.animation), text("--moment=", number_word(wish.moment))});
     add(wish.fixed);
     return words;
-}
-
-std::string shell_quoted(const std::string& word)
-{
-    const std::string plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./,:+=@%";
-    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos)
-        return word;
-    std::string quoted = "'";
-    for (const char c : word)
-        quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
 }
 
 std::string command_of(const Wish& wish, const std::string& output)

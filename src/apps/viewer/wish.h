@@ -60,7 +60,4 @@ std::string command_of(const Wish& wish, const std::string& output);
 /// The words as `lambent` understands them: a picture drawn from this is the command's. Throws Error(usage).
 cli::RenderArguments arguments_of(const Wish& wish);
 
-/// A word for a POSIX shell, in quotes where it needs them.
-std::string shell_quoted(const std::string& word);
-
 } // namespace lambent::viewer
