@@ -122,7 +122,7 @@ void expect_small_highlights(const Draw& draw)
     scene::Material metal;
     constexpr double alpha = 0.03;
     metal.perceptual_roughness = static_cast<float>(std::sqrt(alpha));
-    add(scene, scene::make_sphere(0.5f, 512, 256), metal);
+    add(scene, scene::make_sphere(0.5f, 192, 96), metal);
     Settings settings = small_settings(pixels, pixels, front_camera(1.0f));
     settings.energy_compensation = false;
     settings.samples = 256;
@@ -148,7 +148,7 @@ void expect_small_highlights(const Draw& draw)
     glass.unlit = true;
     glass.base_color = {0.0f, 0.0f, 0.0f, 0.5f};
     glass.alpha_mode = scene::AlphaMode::blend;
-    add(scene, scene::make_sphere(0.53f, 512, 256), glass);
+    add(scene, scene::make_sphere(0.53f, 192, 96), glass);
     const auto behind = static_cast<double>(pixel(draw(scene, nullptr, settings), pixels / 2, pixels / 2).r);
     EXPECT_NEAR(behind / (0.5 * wanted), 1.0, 0.08);
 }
