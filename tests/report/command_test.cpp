@@ -165,6 +165,25 @@ TEST_F(Report, WithReferencesEveryCommandMakesItsPicture)
     EXPECT_GE(heat_maps, 20);
 }
 
+// A table of the page, by its figure's name; its cells as numbers, of which units follow.
+struct Cells {
+    json rows;
+
+    double operator()(std::size_t row, std::size_t column) const
+    {
+        return std::stod(rows[row][column].get<std::string>());
+    }
+};
+
+Cells cells(const json& page, const std::string& id)
+{
+    for (const json& section : page["sections"])
+        for (const json& figure : section["figures"])
+            if (figure["id"] == id)
+                return {figure["rows"]};
+    return {};
+}
+
 // The report's own findings, on the numbers of the page.
 
 TEST_F(Report, LuminanceRisesWithExposureAndHighlightsKeepTheirHue)
@@ -178,8 +197,9 @@ TEST_F(Report, LuminanceRisesWithExposureAndHighlightsKeepTheirHue)
             const double luminance = number(page, file, "luminance");
             EXPECT_GT(luminance, before) << file;
             before = luminance;
-            for (const json& number : picture(page, file)["numbers"]) // only said where some is lost
-                EXPECT_NE(number["name"], "hue order kept") << file;
+            const json shown = picture(page, file);
+            for (const json& found : shown["numbers"]) // only said where some is lost
+                EXPECT_NE(found["name"], "hue order kept") << file;
         }
     }
 }
@@ -195,15 +215,8 @@ TEST_F(Report, LinearColourIsMoreSaturatedAt7And70)
 // The captions of the report's sky: a bright wash at 7000, a good exposure at 70, twilight at 1.
 TEST_F(Report, ItsOwnPipelineMakesItsCaptionsTrue)
 {
-    json rows;
-    for (const json& section : page["sections"])
-        for (const json& figure : section["figures"])
-            if (figure["id"] == "own-sky-numbers")
-                rows = figure["rows"];
-    ASSERT_EQ(rows.size(), 6u);
-    const auto cell = [&](std::size_t row, std::size_t column) {
-        return std::stod(rows[row][column].get<std::string>());
-    };
+    const Cells cell = cells(page, "own-sky-numbers");
+    ASSERT_EQ(cell.rows.size(), 6u);
     for (std::size_t row = 1; row < 6; ++row) {
         EXPECT_LT(cell(row, 1), cell(row - 1, 1)); // darker
         EXPECT_GT(cell(row, 2), cell(row - 1, 2)); // and more colourful
@@ -215,6 +228,31 @@ TEST_F(Report, ItsOwnPipelineMakesItsCaptionsTrue)
     EXPECT_LT(cell(4, 3), 1.0);
     // Ours is blank where the report's is not, for it never raises light to 2.2.
     EXPECT_GT(cell(2, 5), 90.0);
+}
+
+// Of five factors on the room's texels the one that is taken: three of four pixels blank at 7000, none at 1.
+TEST_F(Report, TheRoomIsAsBrightAsTheCaptionsAsk)
+{
+    const Cells cell = cells(page, "own-scale");
+    ASSERT_EQ(cell.rows.size(), 5u);
+    for (std::size_t row = 0; row < 5; ++row)
+        EXPECT_EQ(cell(row, 1) >= 75.0 && cell(row, 3) == 0.0, cell(row, 0) == 0.3) << row;
+}
+
+// Sums without density send on a half of what their BRDF does, which keeps nearly all of it where the lobe is narrow. The
+// curve's place matters where light is bright, and does not where the curve is straight.
+TEST_F(Report, ItsOrderAndItsMissingDensityCostWhatTheyDo)
+{
+    const Cells density = cells(page, "own-density"), order = cells(page, "own-order");
+    ASSERT_EQ(density.rows.size(), 4u);
+    for (std::size_t row = 0; row < 4; ++row)
+        EXPECT_NEAR(density(row, 3), 48.0, 3.0) << row;
+    EXPECT_GT(density(3, 2), 98.0);
+    ASSERT_EQ(order.rows.size(), 5u);
+    EXPECT_GT(order(0, 2), 30.0);
+    EXPECT_LT(order(4, 2), 1.0);
+    for (std::size_t row = 0; row < 5; ++row)
+        EXPECT_GT(order(row, 1), 5.0) << row;
 }
 
 TEST_F(Report, ItsOwnLinearColourIsMoreSaturated)
