@@ -201,17 +201,11 @@ Matrix direct_lights(Desk& desk)
     return transposed(matrix);
 }
 
-// The order of things alone: nonlinear colour throughout, the curve first in one and last in the other.
-Shot chart_with_curve(double exposure, bool last)
+// The chart in nonlinear colour, as the report's column of that, but for the curve, which comes last.
+Shot chart_with_curve_last(double exposure)
 {
-    Shot shot = chart(Way::nonlinear, exposure);
-    if (last)
-        shot = {
-            text("own-curve-last-", exposure),
-            text("painted --ks 0,0,0 --alpha 1 --camera 240,14,2.6 --fov 34 --model phong --space nonlinear "
-                 "--ambient-brightness 2 --exposure ",
-                 rounded(texel_scale * exposure, 4)),
-            shot.title, shot.alt};
+    Shot shot = chart(Way::light, exposure);
+    shot.words += " --space nonlinear --ambient-brightness 2";
     return shot;
 }
 
@@ -221,7 +215,7 @@ Table order_costs(Desk& desk)
     for (const double exposure : chart_exposures)
         table.rows.push_back(
             {text(exposure), difference(desk, sky(Way::report, exposure), sky(Way::light, exposure)),
-             difference(desk, chart_with_curve(exposure, false), chart_with_curve(exposure, true))});
+             difference(desk, chart(Way::nonlinear, exposure), chart_with_curve_last(exposure))});
     return table;
 }
 
