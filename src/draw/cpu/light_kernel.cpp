@@ -202,7 +202,8 @@ void add_direct(const LightContext& c, std::span<const LightSource> lights, size
     if (c.model == Model::phong) {
         const Phong p = phong_at(f, at);
         for (const LightSource& light : lights)
-            sum += direct_phong_in_pixel(p, s, arrival_at(light, point));
+            sum += c.pipeline ? direct_phong(p, s.normal, s.view, arrival_at(light, point))
+                              : direct_phong_in_pixel(p, s, arrival_at(light, point));
     } else {
         const Metallic m = metallic_at(c, f, at);
         const vec2 albedo = albedo_of(dot(s.normal, s.view), m.alpha);
