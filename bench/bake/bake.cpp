@@ -2,10 +2,11 @@
 // all texels, in one process, and as a command, against `cmgen` where that is installed.
 //   bench_bake [PANORAMA.hdr ...]
 #include "bench/side_by_side.h"
-#include "environment/bake.h"
-#include "environment/bake_check.h"
-#include "environment/prefilter.h"
-#include "image/image_io.h"
+#include "environment/bake/bake.h"
+#include "environment/bake/texel_sums.h"
+#include "environment/bake/bake_check.h"
+#include "environment/bake/prefilter.h"
+#include "image/files/image_io.h"
 #include "tests/support/process.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "bench/whole/glb_writer.h"
-#include "image/image_io.h"
+#include "image/files/image_io.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "bench/cycles/white_grid.h"
 
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 
 #include <glm/geometric.hpp>
 

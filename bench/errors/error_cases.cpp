@@ -1,10 +1,10 @@
 #include "bench/errors/error_cases.h"
 
-#include "apps/cli/arguments.h"
-#include "apps/cli/picture_setup.h"
+#include "apps/options/arguments.h"
+#include "apps/common/picture_setup.h"
 #include "base/text.h"
 #include "draw/cpu/cpu_renderer.h"
-#include "environment/builtin.h"
+#include "environment/builtin/builtin.h"
 #include "environment/environment.h"
 #include "reference/tracer.h"
 

@@ -3,9 +3,9 @@
 // An environment is a built-in's name or a panorama's path; none: studio and sky. Truths are kept in FOLDER.
 #include "bench/grid/grid_truth.h"
 #include "draw/cpu/cpu_renderer.h"
-#include "environment/builtin.h"
+#include "environment/builtin/builtin.h"
 #include "environment/environment.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 
 #include <glm/common.hpp>
 

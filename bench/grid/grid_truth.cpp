@@ -1,6 +1,6 @@
 #include "bench/grid/grid_truth.h"
 
-#include "environment/albedo_table.h"
+#include "albedo/albedo_table.h"
 #include "equations/in_double.h"
 
 #include <glm/geometric.hpp>
@@ -35,11 +35,11 @@ glm::dvec3 to_glm(vec3 v)
 // Between the table's points, as the renderer reads it.
 vec2 albedo_at(double NV, double alpha)
 {
-    constexpr int n = environment::albedo_table_size;
+    constexpr int n = albedo_table_size;
     const double x = std::sqrt(std::clamp(NV, 0.0, 1.0)) * (n - 1), y = std::sqrt(alpha) * (n - 1);
     const int x0 = std::min(static_cast<int>(x), n - 2), y0 = std::min(static_cast<int>(y), n - 2);
     const auto at = [&](int i, int j) {
-        const float* pair = environment::albedo_table + 2 * ((y0 + j) * n + x0 + i);
+        const float* pair = albedo_table + 2 * ((y0 + j) * n + x0 + i);
         return vec2(static_cast<double>(pair[0]), static_cast<double>(pair[1]));
     };
     const double fx = x - x0, fy = y - y0;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "draw/settings.h"
-#include "environment/panorama.h"
+#include "environment/panorama/panorama.h"
 #include "scene/scene.h"
 
 #include <glm/vec3.hpp>

@@ -2,8 +2,8 @@
 #include "bench/image/test_pictures.h"
 #include "bench/side_by_side.h"
 #include "base/file.h"
-#include "image/image_io.h"
-#include "image/rgbe.h"
+#include "image/files/image_io.h"
+#include "image/radiance/rgbe.h"
 
 #include <stb/stb_image.h>
 

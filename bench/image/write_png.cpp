@@ -2,7 +2,7 @@
 // default's.
 #include "bench/image/test_pictures.h"
 #include "bench/side_by_side.h"
-#include "image/png.h"
+#include "image/codes/png.h"
 
 #include <cstdio>
 #include <string>

@@ -1,8 +1,8 @@
 #include "bench/specular/yardstick.h"
 
 #include "draw/sample_tables.h"
-#include "environment/cube_faces.h"
-#include "environment/packed_texel.h"
+#include "environment/chain/cube_faces.h"
+#include "environment/panorama/packed_texel.h"
 
 #include <algorithm>
 #include <array>

@@ -2,8 +2,8 @@
 // the time from an input to the picture that shows it, decoded, and to the picture at rest; and the same while another
 // viewer's picture of 1024 samples is drawn.
 #include "apps/serve/server.h"
-#include "image/jpeg.h"
-#include "image/png.h"
+#include "image/codes/jpeg.h"
+#include "image/codes/png.h"
 #include "tests/serve/visitor.h"
 
 #include <algorithm>

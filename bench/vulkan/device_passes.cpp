@@ -5,9 +5,9 @@
 #include "draw/cpu/cpu_renderer.h"
 #include "draw/vulkan/device_prefilter.h"
 #include "draw/vulkan/vulkan_renderer.h"
-#include "environment/bake.h"
-#include "environment/builtin.h"
-#include "scene/builtin.h"
+#include "environment/bake/bake.h"
+#include "environment/builtin/builtin.h"
+#include "scene/builtin/builtin.h"
 
 #include <glm/geometric.hpp>
 

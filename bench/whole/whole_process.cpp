@@ -2,7 +2,7 @@
 // where it is installed, in turn.
 #include "bench/side_by_side.h"
 #include "bench/whole/glb_writer.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 #include "tests/support/process.h"
 
 #include <algorithm>

@@ -3,13 +3,14 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "environment/bake.h"
-#include "environment/builtin.h"
-#include "environment/irradiance.h"
-#include "environment/panorama.h"
-#include "image/cube_files.h"
-#include "image/cube_map.h"
-#include "image/image_io.h"
+#include "environment/bake/bake.h"
+#include "environment/bake/split_sum.h"
+#include "environment/builtin/builtin.h"
+#include "environment/bake/irradiance.h"
+#include "environment/panorama/panorama.h"
+#include "image/cube/cube_files.h"
+#include "image/cube/cube_map.h"
+#include "image/files/image_io.h"
 #include "image/refuse.h"
 
 #include <algorithm>

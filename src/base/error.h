@@ -1,4 +1,4 @@
-// What can go wrong, by exit code, and how warnings travel. Depends on nothing.
+// What can go wrong, and how warnings travel. Depends on nothing.
 #pragma once
 
 #include <stdexcept>
@@ -7,13 +7,13 @@
 
 namespace lambent {
 
-/// The exit code of the command for each kind of failure (see docs/CLI.md).
+/// Kinds of failure, by who can do something about it.
 enum class Failure {
-    over_bound = 1,   ///< pictures differ by more than the caller allows
-    usage = 2,        ///< the caller asked for something that does not exist or does not fit
-    bad_input = 3,    ///< a file is missing, broken, hostile or of a kind we do not read
-    no_device = 4,    ///< no suitable processor, GPU or driver
-    cannot_write = 5, ///< the output could not be created, written or renamed
+    over_bound,   ///< pictures differ by more than the caller allows
+    usage,        ///< the caller asked for something that does not exist or does not fit
+    bad_input,    ///< a file is missing, broken, hostile or of a kind we do not read
+    no_device,    ///< no suitable processor, GPU or driver
+    cannot_write, ///< the output could not be created, written or renamed
 };
 
 /// A failure that a user can act on: one line, naming the file, the place and the reason.

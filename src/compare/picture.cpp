@@ -1,7 +1,7 @@
 #include "compare/picture.h"
 
 #include "base/text.h"
-#include "image/image_io.h"
+#include "image/files/image_io.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

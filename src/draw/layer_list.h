@@ -1,7 +1,7 @@
 // The layers a picture can be taken apart into, and which columns of the G-buffer hold them.
 #pragma once
 
-#include "draw/cpu/fragments.h"
+#include "draw/columns.h"
 #include "draw/frame.h"
 #include "draw/settings.h"
 

@@ -1,5 +1,8 @@
 #include "environment/environment.h"
 
+#include "environment/chain/make_chain.h"
+#include "environment/panorama/resized.h"
+
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "base/identity.h"
-#include "environment/cube_chain.h"
-#include "environment/irradiance.h"
-#include "environment/lamps.h"
-#include "environment/panorama.h"
+#include "environment/chain/cube_chain.h"
+#include "environment/bake/irradiance.h"
+#include "environment/chain/lamps.h"
+#include "environment/panorama/panorama.h"
 
 #include <vector>
 
@@ -25,20 +25,5 @@ Environment make_environment(Panorama panorama);
 /// The panorama and its halvings, exactly 2^k times smaller, down to a height of 1: the report's own mip chain.
 /// The panorama is first enlarged to powers of two, its light kept, if it is not.
 std::vector<Panorama> mip_chain(const Panorama& panorama);
-
-/// The chain of blurs, and the lamps that are not in all its levels.
-struct Blurs {
-    CubeChain chain;
-    Lamps lamps;
-};
-
-/// [see equations/footprint.glsl for why Gaussians]
-Blurs make_blurs(const Panorama& panorama);
-
-/// The panorama on a cube of faces of 2^log2_size texels, one level, as sharp as they are.
-CubeChain resampled(const Panorama& panorama, int log2_size);
-
-/// The chain alone, every lamp in every level.
-CubeChain make_chain(const Panorama& panorama);
 
 } // namespace lambent::environment

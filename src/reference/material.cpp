@@ -1,6 +1,6 @@
 #include "reference/material.h"
 
-#include "environment/albedo_table.h"
+#include "albedo/albedo_table.h"
 #include "equations/in_double.h"
 #include "image/luminance.h"
 
@@ -52,11 +52,11 @@ in_double::vec3 cosine_direction(const glm::dvec2& u)
 
 glm::dvec2 directional_albedo(double NV, double alpha)
 {
-    constexpr int n = environment::albedo_table_size;
+    constexpr int n = albedo_table_size;
     const double x = std::sqrt(std::clamp(NV, 0.0, 1.0)) * (n - 1);
     const double y = std::sqrt(std::clamp(alpha, 0.0, 1.0)) * (n - 1);
     const int x0 = std::min(static_cast<int>(x), n - 2), y0 = std::min(static_cast<int>(y), n - 2);
-    const float* at = environment::albedo_table + 2 * (y0 * n + x0);
+    const float* at = albedo_table + 2 * (y0 * n + x0);
     const auto part = [&](int i) {
         const double upper = std::lerp(static_cast<double>(at[i]), static_cast<double>(at[2 + i]), x - x0);
         const double lower =

@@ -2,7 +2,7 @@
 #include "tests/cli/lambent.h"
 #include "tests/scene/sliding_model.h"
 
-#include "image/image_io.h"
+#include "image/files/image_io.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
 // The command line as values.
-#include "apps/cli/arguments.h"
+#include "apps/options/arguments.h"
 #include "base/error.h"
 
 #include <gtest/gtest.h>

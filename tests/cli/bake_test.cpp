@@ -3,8 +3,8 @@
 #include "tests/image/cube_reader.h"
 
 #include "base/file.h"
-#include "image/cube_files.h"
-#include "image/image_io.h"
+#include "image/cube/cube_files.h"
+#include "image/files/image_io.h"
 
 #include <nlohmann/json.hpp>
 

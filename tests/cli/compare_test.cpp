@@ -1,7 +1,7 @@
 // `lambent compare` as its users meet it.
 #include "tests/cli/lambent.h"
 
-#include "image/image_io.h"
+#include "image/files/image_io.h"
 
 #include <nlohmann/json.hpp>
 

@@ -2,7 +2,7 @@
 #include "tests/cli/lambent.h"
 #include "tests/scene/gltf_builder.h"
 
-#include "image/image_io.h"
+#include "image/files/image_io.h"
 
 #include <nlohmann/json.hpp>
 

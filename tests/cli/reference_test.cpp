@@ -1,7 +1,7 @@
 // `lambent reference` as its users meet it: what it takes, what it leaves, and how it is stopped.
 #include "tests/cli/lambent.h"
 
-#include "image/image_io.h"
+#include "image/files/image_io.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 // The program as its users meet it: what it writes, what it says, how it ends.
 #include "tests/cli/lambent.h"
 
-#include "image/image_io.h"
+#include "image/files/image_io.h"
 
 #include <nlohmann/json.hpp>
 

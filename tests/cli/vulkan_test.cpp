@@ -1,7 +1,7 @@
 // `--backend vulkan` as its users meet it.
 #include "tests/cli/lambent.h"
 
-#include "image/image_io.h"
+#include "image/files/image_io.h"
 #include "tests/image/cube_reader.h"
 
 #include <nlohmann/json.hpp>

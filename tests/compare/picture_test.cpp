@@ -1,6 +1,6 @@
 // Files made ready to be compared.
 #include "compare/picture.h"
-#include "image/image_io.h"
+#include "image/files/image_io.h"
 #include "tests/compare/test_pictures.h"
 #include "tests/support/process.h"
 

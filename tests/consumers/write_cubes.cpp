@@ -1,6 +1,6 @@
 // Writes the cube maps that check.mjs reads: write_cubes FOLDER. Texel (x, y) of a face of a level is
 // (8 y + x + 1, face + 1, level + 1), which every format holds exactly.
-#include "image/cube_files.h"
+#include "image/cube/cube_files.h"
 
 #include <cstdio>
 #include <exception>

@@ -1,6 +1,6 @@
 // The documentation against the program: every command in it runs, its pictures are what their commands draw, every
 // option is in it and every link leads somewhere.
-#include "image/image_io.h"
+#include "image/files/image_io.h"
 #include "tests/scene/gltf_builder.h"
 #include "tests/support/process.h"
 

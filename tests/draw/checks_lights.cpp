@@ -1,6 +1,6 @@
 // Lamps by the words of KHR_lights_punctual; a sun in blurred backgrounds.
-#include "environment/cube_chain.h"
-#include "environment/lamps.h"
+#include "environment/chain/cube_chain.h"
+#include "environment/chain/lamps.h"
 #include "tests/draw/backend_checks.h"
 #include "tests/draw/test_scenes.h"
 

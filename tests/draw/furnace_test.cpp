@@ -1,5 +1,5 @@
 // The white furnace: what reflects everything cannot be told from a white environment.
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 #include "tests/draw/test_scenes.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // One lamp at a dozen places of panoramas of several sizes: poles, seam, edges and corners of the cube and between. It gives
 // the same light from everywhere, that of a disc in closed form or by quadrature.
-#include "environment/cube_faces.h"
+#include "environment/chain/cube_faces.h"
 #include "tests/draw/test_scenes.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // The layers of the G-buffer and of the light, each by its name.
-#include "environment/cube_chain.h"
+#include "environment/chain/cube_chain.h"
 #include "tests/draw/test_scenes.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Lights that are passed over must be those that would have added nothing.
 #include "draw/cpu/cpu_renderer.h"
 #include "draw/cpu/light_choice.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 #include "tests/draw/test_scenes.h"
 
 #include <gtest/gtest.h>

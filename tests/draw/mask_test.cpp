@@ -1,5 +1,5 @@
 // Masks cover the same share of a picture at every size.
-#include "draw/cpu/mask_coverage.h"
+#include "draw/textures/mask_coverage.h"
 #include "tests/draw/mask_scenes.h"
 
 #include <gtest/gtest.h>

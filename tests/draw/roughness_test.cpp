@@ -1,5 +1,5 @@
 // One roughness for all surfaces: the picture of a scene whose materials have it.
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 #include "tests/draw/test_scenes.h"
 
 #include <gtest/gtest.h>

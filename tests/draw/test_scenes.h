@@ -4,7 +4,7 @@
 #include "draw/cpu/cpu_renderer.h"
 #include "environment/environment.h"
 #include "scene/scene.h"
-#include "scene/shapes.h"
+#include "scene/builtin/shapes.h"
 
 #include <glm/ext/matrix_transform.hpp>
 

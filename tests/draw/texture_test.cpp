@@ -1,5 +1,5 @@
 // Textures as surfaces show them: orientation, transfer, filtering, wrapping, normal maps.
-#include "draw/cpu/packed_texture.h"
+#include "draw/textures/packed_texture.h"
 #include "tests/draw/test_scenes.h"
 #include "tests/draw/texcoord_scene.h"
 

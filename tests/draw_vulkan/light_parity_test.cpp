@@ -6,8 +6,8 @@
 #include "draw/vulkan/environment_on_device.h"
 #include "draw/vulkan/picture_on_device.h"
 #include "draw/vulkan/tile_on_device.h"
-#include "environment/builtin.h"
-#include "environment/panorama.h"
+#include "environment/builtin/builtin.h"
+#include "environment/panorama/panorama.h"
 #include "tests/draw/test_scenes.h"
 #include "tests/vulkan/compute.h"
 

@@ -1,8 +1,8 @@
 // Whole pictures by both backends: built-in scenes, both models, lights, sampled and split-sum, transparency.
 #include "draw/cpu/cpu_renderer.h"
 #include "draw/vulkan/vulkan_renderer.h"
-#include "environment/builtin.h"
-#include "scene/builtin.h"
+#include "environment/builtin/builtin.h"
+#include "scene/builtin/builtin.h"
 #include "tests/draw/parity_scene.h"
 #include "tests/draw/pose_scenes.h"
 #include "tests/draw/test_scenes.h"

@@ -1,7 +1,7 @@
 // Environments prefiltered on a device: against the processors' own, and by the bake's check against sums in double.
 #include "draw/vulkan/device_prefilter.h"
-#include "environment/bake.h"
-#include "environment/builtin.h"
+#include "environment/bake/bake.h"
+#include "environment/builtin/builtin.h"
 #include "tests/support/process.h"
 #include "tests/vulkan/compute.h"
 

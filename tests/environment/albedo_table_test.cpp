@@ -1,6 +1,7 @@
 // The split-sum table against quadrature of the BRDF over directions, which shares no sampling with it.
-#include "environment/albedo_table.h"
-#include "environment/bake.h"
+#include "albedo/albedo_table.h"
+#include "environment/bake/bake.h"
+#include "environment/bake/split_sum.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Air, haze and ozone against published depths, closed forms, and sums in small steps that share no geometry.
-#include "environment/atmosphere.h"
+#include "environment/sky/atmosphere.h"
 
-#include "environment/march.h"
-#include "environment/sky_light.h"
+#include "environment/sky/march.h"
+#include "environment/sky/sky_light.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // Baked environments against sums over every texel in double, and against what is known in closed form.
-#include "environment/bake.h"
+#include "environment/bake/bake.h"
+#include "environment/bake/split_sum.h"
 
 #include "base/error.h"
 #include "equations/in_double.h"

@@ -1,5 +1,5 @@
 // What all built-in environments promise: names, options, sizes, and numbers that can be drawn.
-#include "environment/builtin.h"
+#include "environment/builtin/builtin.h"
 
 #include "base/error.h"
 #include "base/text.h"

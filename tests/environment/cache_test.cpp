@@ -1,5 +1,5 @@
 // The cache of environments: the same comes back, or nothing does.
-#include "environment/environment_cache.h"
+#include "environment/cache/environment_cache.h"
 
 #include "tests/environment/test_panoramas.h"
 #include "tests/support/process.h"

@@ -1,8 +1,9 @@
 // The chain of blurs against exact Gaussians on the sphere and against the panorama's own light.
-#include "environment/cube_faces.h"
+#include "environment/chain/cube_faces.h"
+#include "environment/chain/make_chain.h"
 #include "environment/environment.h"
-#include "environment/kernels.h"
-#include "environment/packed_texel.h"
+#include "environment/chain/kernels.h"
+#include "environment/panorama/packed_texel.h"
 #include "tests/environment/test_panoramas.h"
 
 #include <gtest/gtest.h>

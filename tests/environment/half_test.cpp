@@ -1,8 +1,8 @@
 // Texels of cubes are the nearest halfs, on every processor.
-#include "environment/kernels.h"
+#include "environment/chain/kernels.h"
 #include "tests/support/each_instruction_set.h"
 
-#include "environment/packed_texel.h"
+#include "environment/panorama/packed_texel.h"
 
 #include <cmath>
 

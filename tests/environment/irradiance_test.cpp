@@ -1,9 +1,9 @@
 // Irradiance against sums over every texel in double, and against closed forms.
-#include "environment/irradiance.h"
+#include "environment/bake/irradiance.h"
 
-#include "environment/cube_faces.h"
+#include "environment/chain/cube_faces.h"
 #include "environment/environment.h"
-#include "environment/packed_texel.h"
+#include "environment/panorama/packed_texel.h"
 #include "equations/in_double.h"
 #include "tests/environment/test_panoramas.h"
 

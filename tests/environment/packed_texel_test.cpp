@@ -1,6 +1,6 @@
 // Rows of texels, packed in lanes.
-#include "environment/kernels.h"
-#include "environment/packed_texel.h"
+#include "environment/panorama/pack_row.h"
+#include "environment/panorama/packed_texel.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "environment/panorama.h"
+#include "environment/panorama/panorama.h"
 
 #include "tests/environment/test_panoramas.h"
 

@@ -1,8 +1,8 @@
 // The sky against published illuminances and luminances, traced photons, and what everybody has seen.
-#include "environment/sky.h"
+#include "environment/sky/sky.h"
 
-#include "environment/multiple_scattering.h"
-#include "environment/sky_table.h"
+#include "environment/sky/multiple_scattering.h"
+#include "environment/sky/sky_table.h"
 #include "tests/environment/light_sums.h"
 #include "tests/environment/traced_photons.h"
 

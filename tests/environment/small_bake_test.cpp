@@ -1,7 +1,9 @@
 // Baking panoramas that have to be enlarged before: light is kept, and what the bake says of its error is true.
-#include "environment/bake.h"
-#include "environment/bake_check.h"
-#include "environment/cube_faces.h"
+#include "environment/bake/bake.h"
+#include "environment/bake/reading_sums.h"
+#include "environment/panorama/resized.h"
+#include "environment/bake/bake_check.h"
+#include "environment/chain/cube_faces.h"
 #include "tests/environment/test_panoramas.h"
 
 #include <gtest/gtest.h>

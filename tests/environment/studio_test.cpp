@@ -1,7 +1,7 @@
 // The studio from the description in its header, a softbox from the solid angle of a rectangle.
-#include "environment/studio.h"
+#include "environment/builtin/studio.h"
 
-#include "environment/softbox.h"
+#include "environment/builtin/softbox.h"
 #include "tests/environment/light_sums.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // The sun on texels: its light and its place, summed from the texels, against what was asked for.
-#include "environment/sun_disc.h"
+#include "environment/sky/sun_disc.h"
 
 #include "tests/environment/light_sums.h"
 

@@ -1,7 +1,7 @@
 // Panoramas made for the tests, and integrals over them in double, straight from the texels.
 #pragma once
 
-#include "environment/panorama.h"
+#include "environment/panorama/panorama.h"
 
 #include <array>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Every function of the text is called by a probe and names its witness.
-#include "tests/equations/probes.h"
+#include "tests/equations/probes/probes.h"
 
 #include <gtest/gtest.h>
 

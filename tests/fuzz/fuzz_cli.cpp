@@ -1,5 +1,5 @@
 // Any words as a command line: understood or refused with one line; anything else is a crash.
-#include "apps/cli/arguments.h"
+#include "apps/options/arguments.h"
 #include "base/error.h"
 
 #include <cstdlib>

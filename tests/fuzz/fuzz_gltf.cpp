@@ -1,7 +1,6 @@
 // libFuzzer: any bytes as a .gltf or .glb. Loading must return a scene whose indices all lead somewhere, or
 // throw lambent::Error; so must each moment, with as many instances.
-#include "scene/gltf.h"
-#include "scene/gltf_bytes.h"
+#include "scene/gltf/gltf.h"
 
 #include <tbb/global_control.h>
 

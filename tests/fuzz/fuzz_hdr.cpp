@@ -1,5 +1,5 @@
 // Any bytes as a Radiance picture: read or refused with an Error; anything else is a crash.
-#include "image/radiance_hdr.h"
+#include "image/radiance/radiance_hdr.h"
 
 #include <algorithm>
 

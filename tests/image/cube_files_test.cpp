@@ -1,5 +1,5 @@
 // KTX 2 and DDS files of cube maps, read back by readers that share nothing with the writers.
-#include "image/cube_files.h"
+#include "image/cube/cube_files.h"
 
 #include "base/error.h"
 #include "base/file.h"

@@ -1,5 +1,5 @@
 // Cube maps in memory: where texels lie, and what pictures of them look like.
-#include "image/cube_map.h"
+#include "image/cube/cube_map.h"
 
 #include "base/error.h"
 

@@ -1,5 +1,5 @@
 // Cube maps unrolled.
-#include "image/cube_panorama.h"
+#include "image/cube/cube_panorama.h"
 
 #include "base/error.h"
 

@@ -1,7 +1,7 @@
 // OpenEXR files made with the OpenEXR library itself.
 #pragma once
 
-#include "image/openexr.h"
+#include "image/openexr/openexr.h"
 #include "tests/image/temporary_folder.h"
 
 #include <ImfChannelList.h>

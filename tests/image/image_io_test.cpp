@@ -1,5 +1,5 @@
 // Files on disk: the format by content or by name, and writing whole files or nothing.
-#include "image/image_io.h"
+#include "image/files/image_io.h"
 #include "tests/image/bytes.h"
 #include "tests/image/temporary_folder.h"
 

@@ -1,5 +1,5 @@
 // JPEGs that the library reads with a complaint: shown with a warning to those who listen, else refused.
-#include "image/jpeg.h"
+#include "image/codes/jpeg.h"
 #include "tests/image/hostile.h"
 #include "tests/image/jpeg_files.h"
 

@@ -1,5 +1,5 @@
 // JPEG: one file made by hand, the rest by the library.
-#include "image/jpeg.h"
+#include "image/codes/jpeg.h"
 #include "tests/image/hostile.h"
 #include "tests/image/jpeg_files.h"
 

@@ -1,5 +1,5 @@
 // OpenEXR files that lie, end early or were tampered with.
-#include "image/openexr.h"
+#include "image/openexr/openexr.h"
 #include "tests/image/exr_files.h"
 #include "tests/image/hostile.h"
 

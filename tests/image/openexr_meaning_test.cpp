@@ -1,6 +1,6 @@
 // What the attributes of OpenEXR files say of their pixels: windows, colours, directions.
-#include "image/image_io.h"
-#include "image/openexr.h"
+#include "image/files/image_io.h"
+#include "image/openexr/openexr.h"
 #include "tests/image/exr_files.h"
 
 #include <ImfEnvmap.h>

@@ -1,5 +1,5 @@
 // OpenEXR files as other programs make them, and as this one writes them.
-#include "image/openexr.h"
+#include "image/openexr/openexr.h"
 #include "tests/image/exr_files.h"
 
 #include <ImfArray.h>

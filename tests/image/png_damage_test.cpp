@@ -1,5 +1,5 @@
 // PNGs whose pixels are whole but not what is around them: shown with a warning to those who listen, else refused.
-#include "image/png.h"
+#include "image/codes/png.h"
 #include "tests/image/hostile.h"
 #include "tests/image/png_writer.h"
 

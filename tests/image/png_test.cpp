@@ -1,5 +1,5 @@
 // PNG: every colour type from files made by hand, and what must be refused.
-#include "image/png.h"
+#include "image/codes/png.h"
 #include "tests/image/png_writer.h"
 #include "tests/image/hostile.h"
 

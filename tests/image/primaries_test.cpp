@@ -1,5 +1,5 @@
 // Colours against published matrices.
-#include "image/primaries.h"
+#include "image/openexr/primaries.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Radiance files that lie, end early or were tampered with.
-#include "image/radiance_hdr.h"
+#include "image/radiance/radiance_hdr.h"
 #include "tests/image/hostile.h"
 #include "tests/image/radiance_writer.h"
 

@@ -1,5 +1,5 @@
 // Radiance pictures in every variant, made by the test's own writer.
-#include "image/radiance_hdr.h"
+#include "image/radiance/radiance_hdr.h"
 #include "tests/image/radiance_writer.h"
 #include "tests/image/temporary_folder.h"
 

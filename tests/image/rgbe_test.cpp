@@ -1,5 +1,5 @@
 // The RGBE pixel against the C library's ldexp.
-#include "image/rgbe.h"
+#include "image/radiance/rgbe.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The kitchen as a place: whole, open where it has to be, and light enough.
-#include "kitchen/kitchen.h"
-#include "kitchen/plan.h"
+#include "kitchen/model/kitchen.h"
+#include "kitchen/model/plan.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The kitchen that is part of the program against the scene it was traced from.
-#include "apps/kitchen/trace_kitchen.h"
-#include "environment/builtin.h"
+#include "kitchen/trace_kitchen.h"
+#include "environment/builtin/builtin.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The solids against their closed forms.
-#include "kitchen/solids.h"
+#include "kitchen/model/solids.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "tests/processors/works.h"
 
-#include "image/image_io.h"
+#include "image/files/image_io.h"
 #include "wide/instruction_sets.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // Whether what the tracer claims of its noise is true, wherever it stops.
 #include "tests/reference/traced.h"
 
-#include "environment/builtin.h"
-#include "scene/builtin.h"
+#include "environment/builtin/builtin.h"
+#include "scene/builtin/builtin.h"
 
 #include <tbb/global_control.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reference/tracer.h"
-#include "scene/shapes.h"
+#include "scene/builtin/shapes.h"
 
 #include <gtest/gtest.h>
 

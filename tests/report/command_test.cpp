@@ -1,6 +1,6 @@
 // `lambent report` as its users meet it: its files, its commands, and what it found.
 #include "base/text.h"
-#include "image/image_io.h"
+#include "image/files/image_io.h"
 #include "tests/support/process.h"
 
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // Writes a page with every kind of figure, and pictures that are drawn here. write_page FOLDER
 #include "apps/report/page.h"
 #include "base/error.h"
-#include "image/image_io.h"
+#include "image/files/image_io.h"
 
 #include <algorithm>
 #include <array>

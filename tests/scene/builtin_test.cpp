@@ -1,4 +1,4 @@
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 
 #include "base/error.h"
 

@@ -1,7 +1,6 @@
 // Animations, against values worked out by hand and closed forms.
-#include "scene/gltf.h"
-#include "scene/gltf_bytes.h"
-#include "scene/gltf_curve.h"
+#include "scene/gltf/gltf.h"
+#include "scene/gltf/gltf_curve.h"
 #include "tests/scene/gltf_builder.h"
 
 #include <glm/geometric.hpp>

@@ -1,7 +1,7 @@
 #include "tests/scene/gltf_builder.h"
 
 #include "base/text.h"
-#include "scene/gltf_bytes.h"
+#include "scene/gltf/gltf.h"
 
 #include <algorithm>
 

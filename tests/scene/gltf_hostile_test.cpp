@@ -1,6 +1,5 @@
 // Damaged files: whatever the bytes, loading returns or throws lambent::Error.
-#include "scene/gltf.h"
-#include "scene/gltf_bytes.h"
+#include "scene/gltf/gltf.h"
 #include "tests/scene/gltf_builder.h"
 #include "tests/scene/rich_file.h"
 

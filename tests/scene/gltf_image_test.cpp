@@ -1,6 +1,6 @@
 // Pictures in bufferViews, data URIs and files.
-#include "image/image_io.h"
-#include "scene/gltf.h"
+#include "image/files/image_io.h"
+#include "scene/gltf/gltf.h"
 #include "tests/scene/gltf_builder.h"
 #include "tests/scene/png_writer.h"
 

@@ -1,6 +1,5 @@
 // EXT_mesh_gpu_instancing: where instances stand, by hand, and what files do wrong.
-#include "scene/gltf.h"
-#include "scene/gltf_bytes.h"
+#include "scene/gltf/gltf.h"
 #include "tests/scene/gltf_builder.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
 // Points and lines: what the seven modes make, their materials, and what is done to them as to triangles.
-#include "scene/gltf.h"
-#include "scene/gltf_bytes.h"
+#include "scene/gltf/gltf.h"
 #include "tests/scene/gltf_builder.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 // What a broken part costs: that part, one line for each kind of fault, and never a change of what is numbered.
-#include "scene/gltf.h"
-#include "scene/gltf_bytes.h"
-#include "scene/gltf_losses.h"
+#include "scene/gltf/gltf.h"
+#include "scene/gltf_document/gltf_losses.h"
 #include "tests/scene/gltf_builder.h"
 #include "tests/scene/png_writer.h"
 

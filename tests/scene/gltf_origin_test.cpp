@@ -1,6 +1,5 @@
 // Scenes far from the world's origin are what they are near it.
-#include "scene/gltf.h"
-#include "scene/gltf_bytes.h"
+#include "scene/gltf/gltf.h"
 #include "tests/scene/gltf_builder.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Data URIs and files beside the glTF.
-#include "scene/gltf.h"
-#include "scene/gltf_uri.h"
+#include "scene/gltf/gltf.h"
+#include "scene/gltf_document/gltf_uri.h"
 #include "tests/scene/gltf_builder.h"
 
 #include "base/file.h"

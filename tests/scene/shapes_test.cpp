@@ -1,4 +1,4 @@
-#include "scene/shapes.h"
+#include "scene/builtin/shapes.h"
 
 #include <gtest/gtest.h>
 

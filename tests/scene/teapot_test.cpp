@@ -1,5 +1,5 @@
 // The witnesses: the published listing, quadrature over its patches, and finite differences.
-#include "scene/teapot.h"
+#include "scene/builtin/teapot.h"
 #include "tests/scene/newell.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // The server against those it is for and those it is not for.
 #include "apps/serve/server.h"
 #include "base/error.h"
-#include "image/jpeg.h"
-#include "image/png.h"
+#include "image/codes/jpeg.h"
+#include "image/codes/png.h"
 #include "tests/serve/visitor.h"
 #include "tests/support/process.h"
 

@@ -1,6 +1,6 @@
 // How the window begins and ends, and what it remembers.
 #include "base/text.h"
-#include "image/image_io.h"
+#include "image/files/image_io.h"
 #include "tests/view_window/window_fixture.h"
 
 #include <nlohmann/json.hpp>

@@ -4,7 +4,7 @@
 #include "tests/view_window/window_fixture.h"
 
 #include "base/file.h"
-#include "image/image_io.h"
+#include "image/files/image_io.h"
 
 namespace lambent::testing {
 namespace {

@@ -2,8 +2,8 @@
 #include "apps/view/window.h"
 #include "base/file.h"
 #include "base/text.h"
-#include "image/image_io.h"
-#include "image/png.h"
+#include "image/files/image_io.h"
+#include "image/codes/png.h"
 #include "tests/view_window/window_fixture.h"
 
 #include <imgui.h>

@@ -1,7 +1,7 @@
 // Sessions at the desk: what they are shown is what `lambent render` draws, each gets its turn, and nothing waits for
 // somebody who does not look.
 #include "base/file.h"
-#include "image/image_io.h"
+#include "image/files/image_io.h"
 #include "tests/support/process.h"
 #include "tests/viewer/seat.h"
 

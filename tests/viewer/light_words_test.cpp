@@ -1,5 +1,5 @@
 // Words of --light as fields and back, and that no fields make a word that is refused.
-#include "apps/cli/values.h"
+#include "apps/options/values.h"
 #include "apps/viewer/light_words.h"
 #include "base/error.h"
 

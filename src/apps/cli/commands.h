@@ -1,7 +1,7 @@
-// What each command does. All throw Error.
+// What each command does that is no program of its own. All throw Error.
 #pragma once
 
-#include "apps/cli/arguments.h"
+#include "apps/options/arguments.h"
 
 namespace lambent::cli {
 
@@ -9,9 +9,7 @@ void run(const RenderArguments& arguments);
 void run(const BakeArguments& arguments);
 void run(const ReferenceArguments& arguments);
 void run(const CompareArguments& arguments);
-void run(const ReportArguments& arguments);
 void run(const ViewArguments& arguments);
-void run(const ServeArguments& arguments);
 void run(const EnvArguments& arguments);
 void run(const InfoArguments& arguments);
 

@@ -1,17 +1,17 @@
 #include "apps/cli/commands.h"
 #include "apps/cli/compare_table.h"
-#include "apps/cli/console.h"
-#include "apps/cli/input_files.h"
-#include "apps/cli/stats.h"
-#include "apps/cli/stopwatch.h"
-#include "apps/cli/threads.h"
+#include "apps/common/console.h"
+#include "apps/common/input_files.h"
+#include "apps/common/stats.h"
+#include "apps/common/stopwatch.h"
+#include "apps/common/threads.h"
 #include "base/file.h"
 #include "base/text.h"
 #include "compare/difference.h"
 #include "compare/flip.h"
 #include "compare/heat_map.h"
 #include "compare/picture.h"
-#include "image/image_io.h"
+#include "image/files/image_io.h"
 
 #include <nlohmann/json.hpp>
 

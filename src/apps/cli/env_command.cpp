@@ -1,11 +1,11 @@
 #include "apps/cli/commands.h"
-#include "apps/cli/stats.h"
-#include "apps/cli/stopwatch.h"
-#include "apps/cli/threads.h"
+#include "apps/common/stats.h"
+#include "apps/common/stopwatch.h"
+#include "apps/common/threads.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/text.h"
-#include "image/image_io.h"
+#include "image/files/image_io.h"
 
 #include <nlohmann/json.hpp>
 

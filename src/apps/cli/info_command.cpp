@@ -1,11 +1,11 @@
 #include "apps/cli/commands.h"
-#include "apps/cli/console.h"
-#include "apps/cli/stats.h"
+#include "apps/common/console.h"
+#include "apps/common/stats.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "base/text.h"
-#include "image/image_io.h"
-#include "scene/gltf.h"
+#include "image/files/image_io.h"
+#include "scene/gltf/gltf.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,8 @@
-#include "apps/cli/arguments.h"
 #include "apps/cli/commands.h"
-#include "apps/cli/program.h"
+#include "apps/common/program.h"
+#include "apps/options/arguments.h"
+#include "apps/report/report_command.h"
+#include "apps/serve/serve_command.h"
 
 #include <cstdio>
 #include <variant>

@@ -1,4 +1,4 @@
-#include "apps/cli/layer_files.h"
+#include "apps/common/layer_files.h"
 #include "apps/report/desk.h"
 #include "base/text.h"
 

@@ -1,7 +1,7 @@
 // One picture of the page, named by the command that draws it.
 #pragma once
 
-#include "apps/cli/arguments.h"
+#include "apps/options/arguments.h"
 
 #include <optional>
 #include <string>

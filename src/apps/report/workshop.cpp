@@ -1,8 +1,8 @@
 #include "apps/report/workshop.h"
 
-#include "apps/cli/load_environment.h"
-#include "apps/cli/picture_setup.h"
-#include "apps/cli/reference_setup.h"
+#include "apps/common/load_environment.h"
+#include "apps/common/picture_setup.h"
+#include "apps/common/reference_setup.h"
 #include "base/text.h"
 #include "compare/difference.h"
 #include "compare/flip.h"
@@ -10,7 +10,7 @@
 #include "compare/picture.h"
 #include "draw/cpu/cpu_renderer.h"
 #include "draw/line_renderer.h"
-#include "image/image_io.h"
+#include "image/files/image_io.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
-#include "apps/cli/commands.h"
-#include "apps/cli/console.h"
-#include "apps/cli/threads.h"
+#include "apps/serve/serve_command.h"
+
+#include "apps/common/console.h"
+#include "apps/common/threads.h"
 #include "apps/serve/server.h"
 #include "apps/viewer/load_first.h"
 #include "base/error.h"

@@ -4,8 +4,8 @@
 #include "apps/serve/messages.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "image/jpeg.h"
-#include "image/png.h"
+#include "image/codes/jpeg.h"
+#include "image/codes/png.h"
 
 #include <boost/asio/post.hpp>
 #include <boost/beast/core.hpp>

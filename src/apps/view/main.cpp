@@ -1,6 +1,6 @@
 // The window of `lambent view`, which starts this program and passes its words on.
-#include "apps/cli/arguments.h"
-#include "apps/cli/program.h"
+#include "apps/options/arguments.h"
+#include "apps/common/program.h"
 #include "apps/view/view_window.h"
 #include "base/error.h"
 

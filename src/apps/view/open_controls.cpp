@@ -1,7 +1,7 @@
 #include "apps/view/open_controls.h"
 
-#include "environment/builtin.h"
-#include "scene/builtin.h"
+#include "environment/builtin/builtin.h"
+#include "scene/builtin/builtin.h"
 
 #include <imgui.h>
 

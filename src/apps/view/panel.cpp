@@ -5,7 +5,7 @@
 #include "apps/view/hands.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 
 #include <imgui.h>
 

@@ -1,8 +1,8 @@
 #include "apps/view/view_window.h"
 
-#include "apps/cli/console.h"
-#include "apps/cli/interrupt.h"
-#include "apps/cli/threads.h"
+#include "apps/common/console.h"
+#include "apps/common/interrupt.h"
+#include "apps/common/threads.h"
 #include "apps/view/memory.h"
 #include "apps/view/view.h"
 #include "apps/viewer/load_first.h"

@@ -1,7 +1,7 @@
 // `lambent view`: a window onto one session.
 #pragma once
 
-#include "apps/cli/arguments.h"
+#include "apps/options/arguments.h"
 
 namespace lambent::view_window {
 

@@ -1,7 +1,7 @@
 #include "apps/viewer/desk.h"
 
-#include "apps/cli/layer_files.h"
-#include "apps/cli/picture_file.h"
+#include "apps/common/layer_files.h"
+#include "apps/common/picture_file.h"
 #include "base/error.h"
 #include "base/text.h"
 

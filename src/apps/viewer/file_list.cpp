@@ -2,8 +2,8 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "environment/builtin.h"
-#include "scene/builtin.h"
+#include "environment/builtin/builtin.h"
+#include "scene/builtin/builtin.h"
 
 #include <algorithm>
 #include <system_error>

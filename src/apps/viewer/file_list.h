@@ -1,7 +1,7 @@
 // The files that viewers may open: models and panoramas in the folders that the command line named.
 #pragma once
 
-#include "apps/cli/arguments.h"
+#include "apps/options/arguments.h"
 
 #include <filesystem>
 #include <string>

@@ -1,6 +1,6 @@
 #include "apps/viewer/light_words.h"
 
-#include "apps/cli/values.h"
+#include "apps/options/values.h"
 #include "apps/viewer/parameters.h"
 #include "base/text.h"
 #include "equations/in_double.h"

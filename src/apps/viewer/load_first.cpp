@@ -1,6 +1,6 @@
 #include "apps/viewer/load_first.h"
 
-#include "apps/cli/picture_setup.h"
+#include "apps/common/picture_setup.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // What a viewer's program does before it shows anything.
 #pragma once
 
-#include "apps/cli/console.h"
+#include "apps/common/console.h"
 #include "apps/viewer/stock.h"
 #include "apps/viewer/wish.h"
 

@@ -1,7 +1,7 @@
 #include "apps/viewer/model.h"
 
-#include "apps/cli/picture_setup.h"
-#include "scene/builtin.h"
+#include "apps/common/picture_setup.h"
+#include "scene/builtin/builtin.h"
 
 #include <utility>
 

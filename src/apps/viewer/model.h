@@ -1,11 +1,11 @@
 // A scene ready to be drawn, at any moment of its animations.
 #pragma once
 
-#include "apps/cli/arguments.h"
-#include "apps/cli/make_renderer.h"
+#include "apps/options/arguments.h"
+#include "apps/common/make_renderer.h"
 #include "base/error.h"
 #include "draw/renderer.h"
-#include "scene/gltf.h"
+#include "scene/gltf/gltf.h"
 #include "scene/scene.h"
 
 #include <filesystem>

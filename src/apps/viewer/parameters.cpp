@@ -1,6 +1,6 @@
 #include "apps/viewer/parameters.h"
 
-#include "apps/cli/values.h"
+#include "apps/options/values.h"
 #include "base/error.h"
 #include "base/text.h"
 

@@ -1,6 +1,6 @@
 #include "apps/viewer/session.h"
 
-#include "apps/cli/picture_setup.h"
+#include "apps/common/picture_setup.h"
 #include "base/error.h"
 #include "base/text.h"
 

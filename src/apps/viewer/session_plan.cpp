@@ -1,5 +1,5 @@
 // What a session wants drawn next, and what became of it.
-#include "apps/cli/picture_setup.h"
+#include "apps/common/picture_setup.h"
 #include "apps/viewer/session.h"
 #include "base/error.h"
 #include "base/text.h"

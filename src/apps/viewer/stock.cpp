@@ -1,10 +1,10 @@
 #include "apps/viewer/stock.h"
 
-#include "apps/cli/console.h"
-#include "apps/cli/reference_setup.h"
+#include "apps/common/console.h"
+#include "apps/common/reference_setup.h"
 #include "base/text.h"
-#include "environment/builtin.h"
-#include "scene/builtin.h"
+#include "environment/builtin/builtin.h"
+#include "scene/builtin/builtin.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,8 +1,8 @@
 // Scenes and environments, shared by all viewers: loaded in a thread of their own, loaded again when files change.
 #pragma once
 
-#include "apps/cli/arguments.h"
-#include "apps/cli/load_environment.h"
+#include "apps/options/arguments.h"
+#include "apps/common/load_environment.h"
 #include "apps/viewer/model.h"
 
 #include <condition_variable>

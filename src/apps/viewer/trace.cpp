@@ -1,7 +1,7 @@
 #include "apps/viewer/trace.h"
 
-#include "apps/cli/picture_file.h"
-#include "apps/cli/reference_setup.h"
+#include "apps/common/picture_file.h"
+#include "apps/common/reference_setup.h"
 #include "compare/color_map.h"
 #include "compare/difference.h"
 #include "compare/flip.h"

@@ -1,11 +1,11 @@
 #include "apps/viewer/wish.h"
 
-#include "apps/cli/picture_setup.h"
-#include "apps/cli/values.h"
+#include "apps/common/picture_setup.h"
+#include "apps/options/values.h"
 #include "base/error.h"
 #include "base/shell.h"
 #include "base/text.h"
-#include "scene/builtin.h"
+#include "scene/builtin/builtin.h"
 
 #include <glm/geometric.hpp>
 

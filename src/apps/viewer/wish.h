@@ -1,7 +1,7 @@
 // What one viewer wants to see, as the command that draws it.
 #pragma once
 
-#include "apps/cli/arguments.h"
+#include "apps/options/arguments.h"
 #include "apps/viewer/eye.h"
 #include "apps/viewer/parameters.h"
 

@@ -4,7 +4,7 @@
 #include "wide/highway.h"
 
 #include "draw/cpu/light_kernel.h"
-#include "environment/albedo_table.h"
+#include "albedo/albedo_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +16,8 @@ namespace {
 
 #include "wide/wide.h"
 #include "draw/cpu/wide_fragments.h"
-#include "environment/wide_cube.h"
-#include "environment/wide_panorama.h"
+#include "environment/chain/wide_cube.h"
+#include "environment/panorama/wide_panorama.h"
 
 // What the hooks of src/shading/README.md read.
 struct Environment {
@@ -158,12 +158,12 @@ vec3 turned(const LightContext& c, vec3 d)
 // The two parts of the directional albedo of GGX, between the table's points.
 vec2 albedo_of(Real NV, Real alpha)
 {
-    constexpr int n = environment::albedo_table_size;
+    constexpr int n = albedo_table_size;
     const Real x = sqrt(clamp(NV, 0.0, 1.0)) * (n - 1),
                y = sqrt(sqrt(clamp(alpha * alpha, 0.0, 1.0))) * (n - 1);
     const Real x0 = min(floor(x), n - 2), y0 = min(floor(y), n - 2);
     const Int index = hn::Mul(hn::Add(hn::Mul(truncated(y0), integer(n)), truncated(x0)), integer(2));
-    const float* table = environment::albedo_table;
+    const float* table = albedo_table;
     const auto at = [&](int offset)
                         HWY_ATTR -> Real { return hn::GatherIndex(FloatTag(), table + offset, index); };
     const Real fx = x - x0, fy = y - y0;

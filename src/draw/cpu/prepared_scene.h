@@ -1,7 +1,7 @@
 // A scene with all that does not change from picture to picture worked out.
 #pragma once
 
-#include "draw/cpu/scene_textures.h"
+#include "draw/textures/scene_textures.h"
 #include "draw/cpu/surface_kernel.h"
 #include "trace/visibility.h"
 #include "scene/scene.h"

@@ -1,7 +1,6 @@
 #include "draw/cpu/sight.h"
 
-#include <glm/common.hpp>
-#include <glm/vector_relational.hpp>
+#include "draw/reach.h"
 
 #include <algorithm>
 
@@ -12,18 +11,6 @@ namespace {
 constexpr int most_backs = 256;
 
 } // namespace
-
-bool within_reach(const RayMap& map)
-{
-    // Not a number is not within.
-    constexpr float widest = 65536.0f;
-    const auto all_within = [](const glm::vec3& start, const glm::vec3& dx, const glm::vec3& dy) {
-        const glm::vec3 most = glm::abs(start) + widest * (glm::abs(dx) + glm::abs(dy));
-        return glm::all(glm::lessThanEqual(most, glm::vec3(Visibility::furthest)));
-    };
-    return all_within(map.origin, map.origin_dx, map.origin_dy) &&
-           all_within(map.direction, map.direction_dx, map.direction_dy);
-}
 
 Sight::Sight(const PreparedScene& scene, const RayMap& map)
     : scene_(scene), map_(map), within_reach_(within_reach(map))

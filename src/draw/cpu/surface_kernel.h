@@ -3,7 +3,7 @@
 
 #include "draw/settings.h"
 #include "draw/cpu/fragments.h"
-#include "draw/cpu/scene_textures.h"
+#include "draw/textures/scene_textures.h"
 #include "scene/scene.h"
 
 #include <glm/mat3x3.hpp>

@@ -2,6 +2,7 @@
 
 #include "draw/cpu/light_choice.h"
 #include "draw/layer_list.h"
+#include "draw/reach.h"
 
 #include <glm/geometric.hpp>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "draw/vulkan/vulkan_renderer.h"
-#include "environment/prefilter_faces.h"
+#include "environment/bake/prefilter_faces.h"
 #include "vulkan/commands.h"
 
 #include <memory>

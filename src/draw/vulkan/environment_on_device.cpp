@@ -1,7 +1,7 @@
 #include "draw/vulkan/environment_on_device.h"
 
 #include "draw/vulkan/filled_buffer.h"
-#include "environment/packed_texel.h"
+#include "environment/panorama/packed_texel.h"
 
 #include <tbb/parallel_for.h>
 

@@ -1,7 +1,7 @@
 #include "draw/vulkan/picture_on_device.h"
 
 #include "draw/vulkan/filled_buffer.h"
-#include "environment/albedo_table.h"
+#include "albedo/albedo_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +54,7 @@ PictureRecord record_of(const LightContext& c, std::size_t lights)
     p.rotation = {c.rotation_cosine, c.rotation_sine, c.ambient_brightness,
                   c.energy_compensation ? 1.0f : 0.0f};
     p.fragments.z = static_cast<int>(lights);
-    p.samples = {static_cast<int>(c.tables->cap.size()), environment::albedo_table_size, 0, 0};
+    p.samples = {static_cast<int>(c.tables->cap.size()), albedo_table_size, 0, 0};
     if (c.pipeline) {
         p.panorama.y = 1.0f;
         p.report = {c.pipeline->decode, c.pipeline->exposure, c.pipeline->encode, c.pipeline->back};
@@ -76,7 +76,7 @@ PictureRecord record_of(const LightContext& c, std::size_t lights)
 
 std::vector<float> albedo_values()
 {
-    return {std::begin(environment::albedo_table), std::end(environment::albedo_table)};
+    return {std::begin(albedo_table), std::end(albedo_table)};
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 #include "draw/vulkan/picture_passes.h"
 
-#include "draw/cpu/sight.h"
+#include "draw/reach.h"
 #include "draw/layer_list.h"
 #include "draw/vulkan/layer_record.h"
 #include "draw/vulkan/raster_map.h"

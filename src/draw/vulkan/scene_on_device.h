@@ -1,7 +1,7 @@
 // A scene where a device can draw it.
 #pragma once
 
-#include "draw/cpu/scene_textures.h"
+#include "draw/textures/scene_textures.h"
 #include "gpu_layout/layout.h"
 #include "vulkan/commands.h"
 

@@ -1,0 +1,215 @@
+#include "apps/options/command_line.h"
+
+#include "base/closest.h"
+#include "base/error.h"
+#include "base/text.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+
+namespace lambent::cli {
+namespace {
+
+// Help is read on terminals of eighty columns: so wide are names and kinds, so wide is everything.
+constexpr std::size_t names_width = 28, help_width = 80;
+
+// Lines of at most `width`, broken between words; breaks that are there stay.
+std::string wrapped(const std::string& words, std::size_t width)
+{
+    std::string all, line;
+    const auto end_line = [&] {
+        all += line + "\n";
+        line.clear();
+    };
+    std::istringstream lines(words);
+    for (std::string given; std::getline(lines, given); end_line()) {
+        std::istringstream stream(given);
+        for (std::string word; stream >> word;) {
+            if (!line.empty() && line.size() + 1 + word.size() > width)
+                end_line();
+            line += (line.empty() ? "" : " ") + word;
+        }
+    }
+    return all;
+}
+
+std::string without_last_break(std::string lines)
+{
+    if (!lines.empty() && lines.back() == '\n')
+        lines.pop_back();
+    return lines;
+}
+
+class HelpFormatter : public CLI::Formatter {
+public:
+    HelpFormatter() { column_width(names_width); }
+
+    std::string make_description(const CLI::App* app) const override
+    {
+        return wrapped(app->get_description(), help_width);
+    }
+    std::string make_footer(const CLI::App* app) const override
+    {
+        return wrapped(app->get_footer(), help_width);
+    }
+    std::string make_option_desc(const CLI::Option* option) const override
+    {
+        return without_last_break(wrapped(option->get_description(), help_width - names_width));
+    }
+    std::string make_subcommand(const CLI::App* command) const override
+    {
+        std::ostringstream line;
+        CLI::detail::format_help(line, command->get_name(), command->get_description(), names_width);
+        return line.str();
+    }
+};
+
+std::vector<std::string> command_names(const CLI::App& app)
+{
+    std::vector<std::string> names = {"help"};
+    for (const CLI::App* command : app.get_subcommands(nullptr))
+        names.push_back(command->get_name());
+    return names;
+}
+
+std::vector<std::string> option_names(const CLI::App& command)
+{
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options())
+        for (const std::string& name : option->get_lnames())
+            names.push_back("--" + name);
+    return names;
+}
+
+// Whether the first word is a command, or asks for help or the version.
+void check_first(const CLI::App& app, const std::string& word)
+{
+    const std::vector<std::string> names = command_names(app);
+    if (std::find(names.begin(), names.end(), word) != names.end())
+        return;
+    if (!word.starts_with('-'))
+        throw Error(Failure::usage, text("there is no command '", word, "'", did_you_mean(word, names),
+                                         "; lambent --help lists them"));
+    for (const char* alone : {"-h", "--help", "--version"})
+        if (word == alone)
+            return;
+    throw Error(Failure::usage, text(word, ": options follow the command: lambent COMMAND ... ", word));
+}
+
+// The words with `help [COMMAND]` as what asks that command for its help.
+std::vector<std::string> without_help_command(const CLI::App& app, std::vector<std::string> words)
+{
+    check_first(app, words[1]);
+    if (words[1] != "help")
+        return words;
+    if (words.size() > 3)
+        throw Error(Failure::usage, "help: of one command at a time: lambent help COMMAND");
+    if (words.size() == 2 || words[2] == "help")
+        return {words[0], "--help"};
+    check_first(app, words[2]);
+    return {words[0], words[2], "--help"};
+}
+
+// The command's first word that looks like an option and is none. CLI11 first tells of what is missing beside it.
+void refuse_unknown_option(const CLI::App& app)
+{
+    for (const CLI::App* command : app.get_subcommands())
+        for (const std::string& word : command->remaining())
+            if (const std::string name = word.substr(0, word.find('=')); name.starts_with("--"))
+                throw Error(Failure::usage, text(command->get_name(), ": there is no option '", name, "'",
+                                                 did_you_mean(name, option_names(*command)),
+                                                 "; lambent help ", command->get_name(), " lists them"));
+}
+
+// The first line of a message, for CLI11's may be long.
+std::string first_line(const std::string& message)
+{
+    return message.substr(0, message.find('\n'));
+}
+
+} // namespace
+
+Command Command::add_subcommand(const std::string& name, const std::string& help)
+{
+    CLI::App* const command = app_->add_subcommand(name, help);
+    command->get_help_ptr()->group(everywhere)->description("Print this help");
+    return Command(*command);
+}
+
+Command Command::under(const std::string& heading) const
+{
+    Command same = *this;
+    same.heading_ = heading;
+    return same;
+}
+
+void Command::add_required(const std::string& name, std::string& word, const std::string& kind,
+                           const std::string& help)
+{
+    app_->add_option(name, word, help)->type_name(kind)->required()->group(heading_);
+}
+
+void Command::add_option(const std::string& name, std::string& word, const std::string& kind,
+                         const std::string& help)
+{
+    const auto not_empty = [](const std::string& given) { return given.empty() ? "nothing given" : ""; };
+    app_->add_option(name, word, help)
+        ->type_name(kind)
+        ->group(heading_)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+        ->check(not_empty);
+}
+
+void Command::add_repeated(const std::string& name, std::vector<std::string>& words, const std::string& kind,
+                           const std::string& help)
+{
+    app_->add_option(name, words, help)
+        ->type_name(kind)
+        ->group(heading_)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->expected(1)
+        ->allow_extra_args(false);
+}
+
+void Command::add_flag(const std::string& name, bool& flag, const std::string& help)
+{
+    app_->add_flag(name, flag, help)->group(heading_);
+}
+
+bool Command::parsed() const
+{
+    return app_->parsed();
+}
+
+CommandLine::CommandLine(const Introduction& introduction)
+    : app_(std::make_unique<CLI::App>(introduction.about, introduction.name))
+{
+    app_->set_version_flag("--version", introduction.version);
+    app_->require_subcommand(1);
+    app_->footer(introduction.footer);
+    app_->formatter(std::make_shared<HelpFormatter>());
+}
+
+CommandLine::~CommandLine() = default;
+
+std::optional<std::string> CommandLine::parse(int count, const char* const* words)
+{
+    const std::vector<std::string> given = without_help_command(*app_, {words, words + count});
+    try {
+        // As CLI11 wants them: the last one first, without the program's name.
+        app_->parse(std::vector<std::string>(given.rbegin(), given.rend() - 1));
+    } catch (const CLI::CallForHelp&) {
+        return app_->help();
+    } catch (const CLI::CallForVersion& version) {
+        return text(version.what(), "\n");
+    } catch (const CLI::ParseError& error) {
+        refuse_unknown_option(*app_);
+        throw Error(Failure::usage, first_line(error.what()));
+    }
+    return std::nullopt;
+}
+
+} // namespace lambent::cli

@@ -1,0 +1,11 @@
+// `lambent serve`.
+#pragma once
+
+#include "apps/options/arguments.h"
+
+namespace lambent::cli {
+
+/// Throws Error.
+void run(const ServeArguments& arguments);
+
+} // namespace lambent::cli

@@ -1,0 +1,101 @@
+#include "draw/textures/scene_textures.h"
+
+#include "draw/textures/mask_coverage.h"
+
+#include <tbb/parallel_for.h>
+
+namespace lambent::draw {
+namespace {
+
+// Of each material, the mean alpha of the vertices that wear it: 1 for those of meshes without colours.
+std::vector<float> vertex_alphas(const scene::Scene& scene)
+{
+    std::vector<double> sums(scene.materials.size(), 0.0), counts(scene.materials.size(), 0.0);
+    for (const scene::Instance& instance : scene.instances) {
+        const scene::Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
+        const auto material =
+            static_cast<std::size_t>(instance.material >= 0 ? instance.material : mesh.material);
+        if (scene.materials[material].alpha_mode != scene::AlphaMode::mask)
+            continue;
+        counts[material] += static_cast<double>(mesh.positions.size());
+        for (const glm::vec4& color : mesh.colors)
+            sums[material] += static_cast<double>(color.a);
+        if (mesh.colors.empty())
+            sums[material] += static_cast<double>(mesh.positions.size());
+    }
+    std::vector<float> means(scene.materials.size(), 1.0f);
+    for (std::size_t i = 0; i < means.size(); ++i)
+        if (counts[i] > 0.0)
+            means[i] = static_cast<float>(sums[i] / counts[i]);
+    return means;
+}
+
+// What the coarser levels of a material's base colour are made with. A sampler without them needs nothing.
+std::optional<float> mask_of(const scene::Material& material, float vertex_alpha)
+{
+    if (material.alpha_mode != scene::AlphaMode::mask || !material.base_color_texture.sampler.mipmapped)
+        return std::nullopt;
+    return least_mask_alpha(material, vertex_alpha);
+}
+
+} // namespace
+
+SceneTextures::SceneTextures(const scene::Scene& scene, TexelTransfer color)
+{
+    list_textures(scene, color);
+    tbb::parallel_for(std::size_t{0}, textures_.size(), [&](std::size_t i) {
+        Packed& packed = textures_[i];
+        packed.texture = pack_texture(scene.images[static_cast<std::size_t>(packed.image)], packed.sampler,
+                                      packed.transfer, packed.least_alpha);
+    });
+}
+
+void SceneTextures::list_textures(const scene::Scene& scene, TexelTransfer color)
+{
+    constexpr TexelTransfer none = TexelTransfer::none;
+    const std::vector<float> alphas = vertex_alphas(scene);
+    const auto mask = [&](std::size_t i) { return mask_of(scene.materials[i], alphas[i]); };
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        const scene::Material& m = scene.materials[i];
+        add(m.base_color_texture, color, mask(i));
+        for (const scene::TextureUse* use :
+             {&m.metallic_roughness_texture, &m.normal_texture, &m.occlusion_texture})
+            add(*use, none, std::nullopt);
+        add(m.emissive_texture, color, std::nullopt);
+    }
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) { // once they no longer move
+        const scene::Material& m = scene.materials[i];
+        materials_.push_back({find(m.base_color_texture, color, mask(i)),
+                              find(m.metallic_roughness_texture, none, std::nullopt),
+                              find(m.normal_texture, none, std::nullopt),
+                              find(m.occlusion_texture, none, std::nullopt),
+                              find(m.emissive_texture, color, std::nullopt)});
+    }
+}
+
+void SceneTextures::add(const scene::TextureUse& use, TexelTransfer transfer,
+                        std::optional<float> least_alpha)
+{
+    if (use.image >= 0 && !find(use, transfer, least_alpha))
+        textures_.push_back({use.image, use.sampler, transfer, least_alpha, {}});
+}
+
+const PackedTexture* SceneTextures::find(const scene::TextureUse& use, TexelTransfer transfer,
+                                         std::optional<float> least_alpha) const
+{
+    for (const Packed& packed : textures_)
+        if (packed.image == use.image && packed.transfer == transfer && packed.least_alpha == least_alpha &&
+            packed.sampler == use.sampler)
+            return &packed.texture;
+    return nullptr;
+}
+
+int SceneTextures::index(const PackedTexture* texture) const
+{
+    for (std::size_t i = 0; i < textures_.size(); ++i)
+        if (&textures_[i].texture == texture)
+            return static_cast<int>(i);
+    return -1;
+}
+
+} // namespace lambent::draw

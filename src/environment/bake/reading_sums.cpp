@@ -1,0 +1,114 @@
+// Sums over a panorama as it is read, linearly between its texels: for those so small that their texels are no points.
+#include "environment/bake/reading_sums.h"
+
+#include "environment/bake/light_points.h"
+#include "environment/bake/sum_rows.h"
+#include "image/panorama_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace lambent::environment {
+namespace {
+
+// Points to a turn, at least.
+constexpr int least_points = 1536;
+
+// A row of points: where, and the solid angle of each that is the light of the row of texels above and of that below.
+struct PointRow {
+    double angle;
+    int above, below;
+    double from_above, from_below;
+};
+
+// Points in the middle of equal parts between each two rows, weighted so that each row has the solid angle of its texels.
+std::vector<PointRow> rows_of_points(const Panorama& panorama, int parts)
+{
+    const int last = panorama.height - 1;
+    const std::vector<double> angles = image::row_angles(panorama.height);
+    std::vector<PointRow> rows;
+    std::vector<double> sums(angles.size());
+    for (int below = 0; below <= last + 1; ++below) {
+        const int above = std::max(below - 1, 0), next = std::min(below, last);
+        const double start = below > 0 ? angles[static_cast<std::size_t>(above)] : 0.0;
+        const double end = below <= last ? angles[static_cast<std::size_t>(next)] : std::numbers::pi;
+        for (int i = 0; i < parts; ++i) {
+            const double share = (i + 0.5) / parts, angle = start + share * (end - start);
+            const double area = std::sin(angle) * (end - start);
+            rows.push_back({angle, above, next, (1.0 - share) * area, share * area});
+            sums[static_cast<std::size_t>(above)] += rows.back().from_above;
+            sums[static_cast<std::size_t>(next)] += rows.back().from_below;
+        }
+    }
+    for (PointRow& row : rows) {
+        row.from_above *=
+            texel_solid_angle(panorama, row.above) / sums[static_cast<std::size_t>(row.above)] / parts;
+        row.from_below *=
+            texel_solid_angle(panorama, row.below) / sums[static_cast<std::size_t>(row.below)] / parts;
+    }
+    return rows;
+}
+
+class Reading {
+public:
+    explicit Reading(const Panorama& panorama)
+        : panorama_(panorama), parts_(std::max(2, (least_points + panorama.width - 1) / panorama.width)),
+          rows_(rows_of_points(panorama, parts_))
+    {
+    }
+
+    int rows() const { return static_cast<int>(rows_.size()); }
+
+    void add(int index, LightPoints& points, std::vector<TexelSum>& sums) const
+    {
+        load(rows_[static_cast<std::size_t>(index)], points);
+        const std::size_t count =
+            static_cast<std::size_t>(panorama_.width) * static_cast<std::size_t>(parts_);
+        for (TexelSum& sum : sums)
+            add_points(points, {0, count}, sum);
+    }
+
+private:
+    void load(const PointRow& row, LightPoints& points) const
+    {
+        const double up = std::cos(row.angle), ring = std::sin(row.angle);
+        points.resize(static_cast<std::size_t>(panorama_.width) * static_cast<std::size_t>(parts_));
+        const auto light = [&](int x, float Rgb::*channel) {
+            return row.from_above * static_cast<double>(panorama_.radiance(x, row.above).*channel) +
+                   row.from_below * static_cast<double>(panorama_.radiance(x, row.below).*channel);
+        };
+        std::size_t at = 0;
+        for (int x = 0; x < panorama_.width; ++x) {
+            const int right = (x + 1) % panorama_.width;
+            const double r[2] = {light(x, &Rgb::r), light(right, &Rgb::r)};
+            const double g[2] = {light(x, &Rgb::g), light(right, &Rgb::g)};
+            const double b[2] = {light(x, &Rgb::b), light(right, &Rgb::b)};
+            for (int i = 0; i < parts_; ++i, ++at) {
+                const double share = (i + 0.5) / parts_;
+                const double phi = ((x + 0.5 + share) / panorama_.width - 0.5) * 2.0 * std::numbers::pi;
+                points.x[at] = ring * std::cos(phi), points.y[at] = up, points.z[at] = ring * std::sin(phi);
+                points.r[at] = r[0] + share * (r[1] - r[0]);
+                points.g[at] = g[0] + share * (g[1] - g[0]);
+                points.b[at] = b[0] + share * (b[1] - b[0]);
+            }
+        }
+    }
+
+    const Panorama& panorama_;
+    int parts_;
+    std::vector<PointRow> rows_;
+};
+
+} // namespace
+
+void sum_reading(const Panorama& panorama, std::span<TexelSum> sums)
+{
+    const Reading reading(panorama);
+    sum_rows<LightPoints>(
+        reading.rows(),
+        [&](int row, LightPoints& points, std::vector<TexelSum>& total) { reading.add(row, points, total); },
+        sums);
+}
+
+} // namespace lambent::environment

@@ -1,0 +1,179 @@
+#include "image/codes/jpeg.h"
+
+#include "image/codes/jpeg_decoder.h"
+#include "image/codes/jpeg_markers.h"
+#include "image/refuse.h"
+
+#include <turbojpeg.h>
+
+#include <new>
+#include <type_traits>
+
+namespace lambent::image {
+namespace {
+
+using Handle = std::unique_ptr<std::remove_pointer_t<tjhandle>, decltype(&tjDestroy)>;
+
+Handle owned(tjhandle handle)
+{
+    if (!handle)
+        throw std::bad_alloc();
+    return {handle, &tjDestroy};
+}
+
+[[noreturn]] void refuse_for(const JpegVerdict& verdict, const std::string& name)
+{
+    if (verdict.out_of_memory)
+        throw std::bad_alloc();
+    refuse(name, "not a valid JPEG: ", printable(verdict.error, 200));
+}
+
+// An encoder that sends each bit of each coefficient band on its own stays below it.
+constexpr int max_scans = 100;
+
+// A progressive file may revisit the whole picture in each of many tiny scans. Ten are usual; an
+// encoder that sends each bit of each coefficient band on its own stays below a hundred.
+void check_work(const JpegFrame& frame, const std::string& name)
+{
+    constexpr std::int64_t max_visits = std::int64_t{1} << 32;
+    const std::int64_t visits = std::int64_t{frame.width} * frame.height * frame.scans;
+    if (frame.scans > max_scans || visits > max_visits)
+        refuse(name, "its ", frame.scans, " scans of ", frame.width, "x", frame.height,
+               " pixels are more work than a JPEG may ask for");
+}
+
+// The first component has a block of 8x8 for every 8x8 pixels at least, and with Huffman codes each block
+// costs at least a bit. Arithmetic coding (processes 0xc9 and up) has no such bound; there a sixteenth is
+// demanded, less than an encoder makes of a flat picture.
+void check_length(const JpegFrame& frame, std::size_t length, const std::string& name)
+{
+    const std::int64_t blocks = std::int64_t{(frame.width + 7) / 8} * ((frame.height + 7) / 8);
+    const std::int64_t least = blocks / (frame.process >= 0xc9 ? 128 : 8);
+    if (least > static_cast<std::int64_t>(length))
+        refuse(name, "a file of ", length, " bytes cannot hold the ", frame.width, "x", frame.height,
+               " pixels its header claims");
+}
+
+// What is wrong with a file that can be read all the same: an error for those who do not listen.
+void complain(const std::string& complaint, const std::string& name, Warnings* warnings)
+{
+    if (warnings == nullptr)
+        refuse(name, "not a valid JPEG: ", complaint);
+    warnings->push_back(text(name, ": damaged JPEG: ", complaint));
+}
+
+std::string early_end(std::size_t length)
+{
+    return text("it ends after ", length, " bytes, before its end mark");
+}
+
+JpegFrame checked_frame(std::span<const std::uint8_t> bytes, const std::string& name)
+{
+    const JpegFrame frame = read_jpeg_frame(bytes, name);
+    check_size(name, frame.width, frame.height);
+    if (frame.components == 4)
+        refuse(name, "CMYK JPEGs are not supported; convert it to RGB");
+    if (frame.bits != 8)
+        refuse(name, frame.bits, "-bit JPEGs are not supported");
+    check_work(frame, name);
+    check_length(frame, bytes.size(), name);
+    return frame;
+}
+
+void open(JpegDecoder& decoder, int divisor, const JpegFrame& frame, const std::string& name)
+{
+    if (!decoder.open(divisor))
+        refuse_for(decoder.verdict(), name);
+    if (decoder.width() != (frame.width + divisor - 1) / divisor ||
+        decoder.height() != (frame.height + divisor - 1) / divisor || !decoder.has_known_colours())
+        refuse(name, "not a valid JPEG: it contradicts itself");
+}
+
+std::vector<std::uint8_t> read(JpegDecoder& decoder, const std::string& name)
+{
+    std::vector<std::uint8_t> rgba(static_cast<std::size_t>(decoder.width()) *
+                                   static_cast<std::size_t>(decoder.height()) * 4);
+    if (!decoder.read(rgba.data()))
+        refuse_for(decoder.verdict(), name);
+    return rgba;
+}
+
+// A large picture is first decoded at an eighth of its size, so that memory is only taken for whole files.
+void check_whole(std::span<const std::uint8_t> bytes, const JpegFrame& frame, const std::string& name)
+{
+    constexpr std::int64_t large = std::int64_t{1} << 24;
+    if (std::int64_t{frame.width} * frame.height <= large)
+        return;
+    JpegDecoder decoder(bytes, max_scans);
+    open(decoder, 8, frame, name);
+    read(decoder, name);
+    if (decoder.verdict().ends_early)
+        refuse(name, "not a valid JPEG: ", early_end(bytes.size()));
+}
+
+const char* process_name(int process)
+{
+    switch (process) {
+    case 0xc0:
+        return "baseline";
+    case 0xc1:
+        return "extended";
+    case 0xc2:
+        return "progressive";
+    default:
+        return process >= 0xc9 ? "arithmetic" : "lossless or hierarchical";
+    }
+}
+
+} // namespace
+
+bool is_jpeg(std::span<const std::uint8_t> bytes)
+{
+    return bytes.size() >= 3 && bytes[0] == 0xff && bytes[1] == 0xd8 && bytes[2] == 0xff;
+}
+
+CodeImage decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& name, Warnings* warnings)
+{
+    const JpegFrame frame = checked_frame(bytes, name);
+    check_whole(bytes, frame, name);
+    JpegDecoder decoder(bytes, max_scans);
+    open(decoder, 1, frame, name);
+    CodeImage image{frame.width, frame.height, 4, 8, read(decoder, name)};
+    const JpegVerdict verdict = decoder.verdict();
+    if (frame.ends_early || verdict.ends_early)
+        complain(early_end(bytes.size()), name, warnings);
+    else if (verdict.complaints > 0)
+        complain(
+            text(printable(verdict.complaint, 200),
+                 verdict.complaints > 1 ? text(" (and ", verdict.complaints - 1, " complaints more)") : ""),
+            name, warnings);
+    return image;
+}
+
+ImageInfo inspect_jpeg(std::span<const std::uint8_t> bytes, const std::string& name, Warnings* warnings)
+{
+    const JpegFrame frame = checked_frame(bytes, name);
+    if (frame.ends_early)
+        complain(early_end(bytes.size()), name, warnings);
+    return {"JPEG",
+            text(frame.bits, "-bit ", frame.components == 1 ? "grey" : "colour", ", ",
+                 process_name(frame.process)),
+            frame.width, frame.height};
+}
+
+std::vector<std::uint8_t> encode_jpeg(const CodeImage& image, const JpegEffort& effort)
+{
+    const Handle handle = owned(tjInitCompress());
+    unsigned char* buffer = nullptr;
+    unsigned long length = 0;
+    const int status = tjCompress2(
+        handle.get(), image.bytes.data(), image.width, image.width * image.channels, image.height,
+        image.channels == 4 ? TJPF_RGBX : TJPF_RGB, &buffer, &length, effort.halved ? TJSAMP_420 : TJSAMP_444,
+        effort.quality, effort.halved ? TJFLAG_FASTDCT : TJFLAG_ACCURATEDCT);
+    const std::unique_ptr<unsigned char, decltype(&tjFree)> owner(buffer, &tjFree);
+    if (status != 0)
+        throw std::bad_alloc();
+    return {buffer, buffer + length};
+}
+
+} // namespace lambent::image

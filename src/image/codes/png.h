@@ -1,0 +1,41 @@
+// PNG (ISO/IEC 15948), through libspng.
+#pragma once
+
+#include "image/image.h"
+#include "image/reader.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lambent::image {
+
+/// Whether the bytes begin as a PNG does.
+bool is_png(std::span<const std::uint8_t> bytes);
+
+/// Any PNG as RGBA: grey is expanded, palettes are looked up, tRNS becomes alpha; 16-bit files stay 16-bit,
+/// all others become 8-bit. Codes are as stored: gAMA, sRGB and iCCP chunks change nothing. An index beyond
+/// the palette is opaque black.
+/// A file whose pixels are whole, but not all around them (a wrong checksum, a broken chunk of metadata, no end mark), is
+/// read with one line in `warnings`; without `warnings` it is refused.
+/// Throws Error(bad_input).
+CodeImage decode_png(std::span<const std::uint8_t> bytes, const std::string& name,
+                     Warnings* warnings = nullptr);
+
+/// Throws Error(bad_input).
+ImageInfo inspect_png(std::span<const std::uint8_t> bytes, const std::string& name);
+
+/// The trade of size against time of encode_png. The default, differences to the left neighbour with runs
+/// only, is the choice of bench/image/write_png: zlib's search for repeats costs most of the time, and in
+/// rendered pictures finds little more than runs do.
+struct PngEffort {
+    int level = 1;    ///< zlib compression level, 0 to 9
+    int strategy = 3; ///< zlib strategy: 0 default, 1 filtered, 2 Huffman only, 3 runs
+    int filters = 16; ///< set of spng_filter_choice: 8 none, 16 left, 32 above, 64 average, 128 Paeth
+};
+
+/// A valid image (8 or 16 bits, 3 or 4 channels) as the bytes of a PNG. Throws std::bad_alloc only.
+std::vector<std::uint8_t> encode_png(const CodeImage& image, const PngEffort& effort = {});
+
+} // namespace lambent::image

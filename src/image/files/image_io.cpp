@@ -1,0 +1,198 @@
+#include "image/files/image_io.h"
+
+#include "base/file.h"
+#include "image/byte_source.h"
+#include "image/files/content.h"
+#include "image/codes/jpeg.h"
+#include "image/openexr/openexr.h"
+#include "image/openexr/openexr_map.h"
+#include "image/codes/png.h"
+#include "image/radiance/radiance_hdr.h"
+#include "image/refuse.h"
+
+#include <algorithm>
+#include <cctype>
+#include <vector>
+
+#include <sys/mman.h>
+
+namespace lambent::image {
+namespace {
+
+// The largest image, stored without any compression, and room for metadata.
+constexpr std::uint64_t max_codes_file = (std::uint64_t{1} << 31) + (std::uint64_t{1} << 26);
+
+// Read at a time by read_radiance.
+constexpr int band_pixels = 1 << 19;
+
+std::vector<std::uint8_t> read_all(ByteSource& source)
+{
+    if (source.size() > max_codes_file)
+        refuse(source.name(), source.size(), " bytes is more than any image read here can need");
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(source.size()));
+    source.read(0, bytes.data(), bytes.size());
+    return bytes;
+}
+
+// Most of the time of a fast load goes into the system's clearing of fresh pages, one by one. Only advice:
+// nothing is lost when it is not taken.
+void ask_for_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes)
+{
+#ifdef MADV_HUGEPAGE
+    constexpr std::uintptr_t page = std::uintptr_t{1} << 21;
+    const std::uintptr_t begin = (reinterpret_cast<std::uintptr_t>(memory) + page - 1) / page * page;
+    const std::uintptr_t end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / page * page;
+    if (begin < end)
+        // NOLINTNEXTLINE(performance-no-int-to-ptr): rounding a pointer to whole pages
+        ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
+#endif
+}
+
+template <class Image>
+void check_writable(const Image& image, std::size_t elements, const std::filesystem::path& path)
+{
+    const std::int64_t pixels = std::int64_t{image.width} * image.height;
+    if (image.width <= 0 || image.height <= 0 || image.width > max_side || image.height > max_side ||
+        pixels > max_pixels || (image.channels != 3 && image.channels != 4) ||
+        elements != static_cast<std::size_t>(pixels * image.channels))
+        throw Error(Failure::usage,
+                    text(path.string(), ": cannot write an image of ", image.width, "x", image.height,
+                         " pixels with ", image.channels, " channels and ", elements, " values"));
+}
+
+std::unique_ptr<RadianceReader> open_radiance(std::unique_ptr<ByteSource> source)
+{
+    const Content content = content_of(*source);
+    if (content == Content::radiance)
+        return open_radiance_hdr(std::move(source));
+    if (content == Content::exr)
+        return open_exr(std::move(source));
+    refuse(source->name(), "is a ", name_of(content), "; light is read from Radiance HDR and OpenEXR");
+}
+
+} // namespace
+
+FileKind file_kind(const std::filesystem::path& path)
+{
+    std::string extension = path.extension().string();
+    for (char& c : extension)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (extension == ".png")
+        return FileKind::png;
+    if (extension == ".jpg" || extension == ".jpeg")
+        return FileKind::jpeg;
+    if (extension == ".exr")
+        return FileKind::exr;
+    if (extension == ".hdr")
+        return FileKind::hdr;
+    return FileKind::unknown;
+}
+
+std::unique_ptr<RadianceReader> open_radiance(const std::filesystem::path& path)
+{
+    return open_radiance(open_bytes(path));
+}
+
+std::unique_ptr<RadianceReader> open_panorama(const std::filesystem::path& path)
+{
+    return as_equirectangular(open_radiance(path), path.string());
+}
+
+RadianceImage read_all_rows(RadianceReader& reader)
+{
+    RadianceImage image{reader.width(), reader.height(), 3, {}};
+    const std::size_t row = static_cast<std::size_t>(image.width) * 3;
+    image.values.reserve(row * static_cast<std::size_t>(image.height));
+    ask_for_huge_pages(image.values.data(), image.values.capacity() * sizeof(float));
+    // Memory is taken as the rows prove to be there, and while they are still in the cache.
+    const int most = std::max(1, band_pixels / image.width);
+    for (int y = 0; y < image.height; y += most) {
+        const int count = std::min(most, image.height - y);
+        image.values.resize(image.values.size() + row * static_cast<std::size_t>(count));
+        reader.read_rows(count, image.pixel(0, y));
+    }
+    return image;
+}
+
+RadianceImage read_radiance(const std::filesystem::path& path)
+{
+    return read_all_rows(*open_radiance(path));
+}
+
+RadianceImage read_radiance(const std::filesystem::path& path, Warnings& warnings)
+{
+    const std::unique_ptr<RadianceReader> reader = open_radiance(path);
+    warnings.insert(warnings.end(), reader->warnings().begin(), reader->warnings().end());
+    return read_all_rows(*reader);
+}
+
+RadianceImage decode_radiance(std::span<const std::uint8_t> bytes, const std::string& name)
+{
+    return read_all_rows(*open_radiance(open_bytes(bytes, name)));
+}
+
+CodeImage decode_codes(std::span<const std::uint8_t> bytes, const std::string& name, Warnings* warnings)
+{
+    const Content content = content_of(bytes);
+    if (content == Content::png)
+        return decode_png(bytes, name, warnings);
+    if (content == Content::jpeg)
+        return decode_jpeg(bytes, name, warnings);
+    refuse(name, "is a ", name_of(content), "; codes are read from PNG and JPEG");
+}
+
+CodeImage read_codes(const std::filesystem::path& path, Warnings* warnings)
+{
+    const std::unique_ptr<ByteSource> source = open_bytes(path);
+    const Content content = content_of(*source);
+    if (content != Content::png && content != Content::jpeg)
+        refuse(source->name(), "is a ", name_of(content), "; codes are read from PNG and JPEG");
+    return decode_codes(read_all(*source), source->name(), warnings);
+}
+
+ImageInfo inspect(const std::filesystem::path& path, Warnings* warnings)
+{
+    std::unique_ptr<ByteSource> source = open_bytes(path);
+    switch (content_of(*source)) {
+    case Content::radiance:
+        return inspect_radiance_hdr(*source);
+    case Content::exr:
+        return inspect_exr(*source);
+    case Content::png:
+        return inspect_png(read_all(*source), source->name());
+    case Content::jpeg:
+        return inspect_jpeg(read_all(*source), source->name(), warnings);
+    case Content::other:
+        break;
+    }
+    refuse(source->name(), "is no image of a kind read here");
+}
+
+void write_radiance(const RadianceImage& image, const std::filesystem::path& path)
+{
+    check_writable(image, image.values.size(), path);
+    const FileKind kind = file_kind(path);
+    if (kind != FileKind::exr && kind != FileKind::hdr)
+        throw Error(Failure::usage, text(path.string(), ": light is written as .exr or .hdr"));
+    check_can_write(path);
+    write_file(path, kind == FileKind::exr ? encode_exr(image) : encode_radiance_hdr(image));
+}
+
+void write_codes(const CodeImage& image, const std::filesystem::path& path)
+{
+    if (image.bits != 8 && image.bits != 16)
+        throw Error(Failure::usage, text(path.string(), ": cannot write ", image.bits, "-bit codes"));
+    check_writable(image, image.bytes.size() / static_cast<std::size_t>(image.bits / 8), path);
+    const FileKind kind = file_kind(path);
+    if (kind != FileKind::png && kind != FileKind::jpeg)
+        throw Error(Failure::usage, text(path.string(), ": codes are written as .png or .jpg"));
+    if (kind == FileKind::jpeg && image.bits != 8)
+        throw Error(Failure::usage, text(path.string(), ": a JPEG cannot hold ", image.bits, "-bit codes"));
+    if (kind == FileKind::jpeg && std::max(image.width, image.height) > max_jpeg_side)
+        throw Error(Failure::usage,
+                    text(path.string(), ": a JPEG is at most ", max_jpeg_side, " pixels a side"));
+    check_can_write(path);
+    write_file(path, kind == FileKind::png ? encode_png(image) : encode_jpeg(image));
+}
+
+} // namespace lambent::image

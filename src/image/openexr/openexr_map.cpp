@@ -1,0 +1,138 @@
+#include "image/openexr/openexr_map.h"
+
+#include "image/refuse.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace lambent::image {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// Of a cube's pixels those at the corners are the smallest: none of them may be missed.
+constexpr int points_across = 5;
+
+using Direction = std::array<double, 3>;
+
+// Pixels of a map, from the middle of the first.
+struct MapPlace {
+    double x, y;
+};
+
+// Longitude 0 is +Z, in the middle, and longitudes grow to the left, where +X is.
+MapPlace place_in_latitudes(const RadianceImage& map, const Direction& d)
+{
+    const double longitude = std::atan2(d[0], d[2]), polar = std::acos(std::clamp(d[1], -1.0, 1.0));
+    return {(0.5 - longitude / (2.0 * pi)) * (map.width - 1), polar / pi * (map.height - 1)};
+}
+
+// Faces one below the other, each as it is seen from outside.
+MapPlace place_in_cube(const RadianceImage& map, const Direction& d)
+{
+    std::size_t axis = 0;
+    for (std::size_t i = 1; i < 3; ++i)
+        if (std::fabs(d[i]) > std::fabs(d[axis]))
+            axis = i;
+    const double over = 1.0 / std::fabs(d[axis]), sign = d[axis] < 0.0 ? -1.0 : 1.0;
+    const double s = axis == 0 ? sign * d[2] : axis == 1 ? d[0] : -sign * d[0];
+    const double t = axis == 1 ? -sign * d[2] : -d[1];
+    const int face = static_cast<int>(2 * axis) + (sign < 0.0 ? 1 : 0);
+    const double last = map.width - 1;
+    return {std::clamp(0.5 * (s * over + 1.0), 0.0, 1.0) * last,
+            face * map.width + std::clamp(0.5 * (t * over + 1.0), 0.0, 1.0) * last};
+}
+
+class MapReader : public RadianceReader {
+public:
+    MapReader(std::unique_ptr<RadianceReader> map, const std::string& name)
+        : source_(std::move(map)), cube_(source_->projection() == Projection::cube),
+          across_(cube_ ? points_across : 1)
+    {
+        width_ = cube_ ? 4 * source_->width() : source_->width();
+        height_ = cube_ ? 2 * source_->width() : source_->height();
+        check_size(name, width_, height_);
+        warnings_ = source_->warnings();
+    }
+
+    void read_rows(int count, float* rgb) override
+    {
+        if (map_.values.empty()) {
+            map_ = read_all_rows(*source_);
+            // In the middle of the picture is +X, a quarter to the right of it +Z.
+            for (int x = 0; x < across_ * width_; ++x) {
+                const double phi = ((x + 0.5) / (across_ * width_) - 0.5) * 2.0 * pi;
+                turns_.push_back({std::cos(phi), std::sin(phi)});
+            }
+        }
+        tbb::parallel_for(0, count, [&](int i) {
+            fill_row(row_ + i, rgb + 3 * static_cast<std::size_t>(i) * static_cast<std::size_t>(width_));
+        });
+        row_ += count;
+    }
+
+private:
+    struct Turn {
+        double cosine, sine;
+    };
+
+    void fill_row(int y, float* rgb) const
+    {
+        std::fill_n(rgb, 3 * static_cast<std::size_t>(width_), 0.0f);
+        const auto polar = [&](int j) { return (y + (j + 0.5) / across_) / height_ * pi; };
+        double rings = 0.0;
+        for (int j = 0; j < across_; ++j)
+            rings += std::sin(polar(j));
+        for (int j = 0; j < across_; ++j) {
+            const double up = std::cos(polar(j)), ring = std::sin(polar(j));
+            const float share = static_cast<float>(ring / (rings * across_));
+            for (int i = 0; i < across_ * width_; ++i) {
+                const Turn turn = turns_[static_cast<std::size_t>(i)];
+                const Direction d = {ring * turn.cosine, up, ring * turn.sine};
+                add(cube_ ? place_in_cube(map_, d) : place_in_latitudes(map_, d), share,
+                    rgb + 3 * (i / across_));
+            }
+        }
+    }
+
+    // Bilinear, times a factor.
+    void add(const MapPlace& at, float factor, float* rgb) const
+    {
+        const int left = std::clamp(static_cast<int>(at.x), 0, map_.width - 1);
+        const int top = std::clamp(static_cast<int>(at.y), 0, map_.height - 1);
+        const int right = std::min(left + 1, map_.width - 1), bottom = std::min(top + 1, map_.height - 1);
+        const float fx = static_cast<float>(at.x - left), fy = static_cast<float>(at.y - top);
+        const float *a = map_.pixel(left, top), *b = map_.pixel(right, top);
+        const float *c = map_.pixel(left, bottom), *d = map_.pixel(right, bottom);
+        const float weights[4] = {(1 - fx) * (1 - fy), fx * (1 - fy), (1 - fx) * fy, fx * fy};
+        // What has no weight may be infinite.
+        for (const auto& [pixel, weight] :
+             {std::pair(a, weights[0]), {b, weights[1]}, {c, weights[2]}, {d, weights[3]}})
+            if (weight > 0.0f)
+                for (int k = 0; k < 3; ++k)
+                    rgb[k] += factor * weight * pixel[k];
+    }
+
+    std::unique_ptr<RadianceReader> source_;
+    bool cube_;
+    int across_; // points of a texel
+    RadianceImage map_;
+    std::vector<Turn> turns_; // by column of points
+    int row_ = 0;
+};
+
+} // namespace
+
+std::unique_ptr<RadianceReader> as_equirectangular(std::unique_ptr<RadianceReader> reader,
+                                                   const std::string& name)
+{
+    if (reader->projection() == Projection::unknown)
+        return reader;
+    return std::make_unique<MapReader>(std::move(reader), name);
+}
+
+} // namespace lambent::image

@@ -1,0 +1,351 @@
+#include "scene/gltf/gltf_accessor.h"
+
+#include "scene/gltf_document/gltf_losses.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <type_traits>
+
+namespace lambent::scene {
+namespace {
+
+constexpr std::size_t most_zeros = 1'000'000;
+
+// Where the elements of an accessor are, after every check.
+struct Layout {
+    const std::uint8_t* first = nullptr; // null: all zeros
+    std::size_t stride = 0;              // bytes from one element to the next
+    std::size_t count = 0;
+    int component = 0; // TINYGLTF_COMPONENT_TYPE_*
+    std::size_t components = 0;
+    bool normalized = false;
+};
+
+std::string accessor_name(int accessor)
+{
+    return text("accessor ", accessor);
+}
+
+const tinygltf::Accessor& find_accessor(const Document& document, const AccessorUse& use)
+{
+    const auto& accessors = document.model.accessors;
+    if (use.accessor < 0 || static_cast<std::size_t>(use.accessor) >= accessors.size())
+        document.fail(use.what, ": accessor ", use.accessor, " does not exist");
+    const tinygltf::Accessor& accessor = accessors[static_cast<std::size_t>(use.accessor)];
+    if (is_broken(accessor.extensions))
+        throw told_already();
+    return accessor;
+}
+
+// Bytes of one component; 0 for the types that glTF does not have (tinygltf lets INT and DOUBLE through).
+std::size_t component_bytes(int component)
+{
+    switch (component) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return 1;
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return 2;
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+    case TINYGLTF_COMPONENT_TYPE_FLOAT:
+        return 4;
+    default:
+        return 0;
+    }
+}
+
+std::size_t element_bytes(const Layout& layout)
+{
+    return component_bytes(layout.component) * layout.components;
+}
+
+// The first byte of `count` elements, `stride` apart, from `offset` in the view.
+struct Run {
+    int buffer_view;
+    std::uint64_t offset;
+    std::uint64_t count;
+    std::uint64_t stride;
+    std::uint64_t element;
+};
+
+const std::uint8_t* check_run(const Document& document, const Run& run, const std::string& name)
+{
+    const auto view = view_bytes(document, run.buffer_view, name);
+    const std::uint64_t left = run.offset > view.size() ? 0 : view.size() - run.offset;
+    // (count - 1) * stride + element <= left, written so that nothing can overflow.
+    if (run.count != 0 && (run.element > left || (run.count - 1) > (left - run.element) / run.stride))
+        document.fail(name, ": ", run.count, " elements of ", run.element, " bytes do not fit in bufferView ",
+                      run.buffer_view, " (", view.size(), " bytes)");
+    return view.data() + std::min<std::uint64_t>(run.offset, view.size());
+}
+
+Layout check_layout(const Document& document, const AccessorUse& use)
+{
+    const tinygltf::Accessor& accessor = find_accessor(document, use);
+    const std::string name = accessor_name(use.accessor);
+    Layout layout;
+    layout.count = accessor.count;
+    layout.component = accessor.componentType;
+    layout.components =
+        static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)));
+    layout.normalized = accessor.normalized || use.normalized;
+    layout.stride = element_bytes(layout);
+    if (layout.stride == 0)
+        document.fail(name, ": componentType ", accessor.componentType, " is not one of glTF");
+    if (layout.count > std::numeric_limits<std::uint32_t>::max())
+        document.fail(name, ": ", layout.count, " elements are more than an index can count");
+    if (accessor.bufferView < 0) {
+        if (layout.count > most_zeros)
+            document.fail(name, ": ", layout.count, " elements without a bufferView, at most ", most_zeros,
+                          " are read");
+        return layout;
+    }
+    const std::uint64_t element = layout.stride;
+    view_bytes(document, accessor.bufferView, name); // the view exists: its stride may be looked at
+    const auto& view = document.model.bufferViews[static_cast<std::size_t>(accessor.bufferView)];
+    if (view.byteStride != 0 && view.byteStride < element)
+        document.fail(name, ": elements of ", element, " bytes overlap in bufferView ", accessor.bufferView,
+                      " (byteStride ", view.byteStride, ")");
+    if (view.byteStride != 0)
+        layout.stride = view.byteStride;
+    layout.first = check_run(
+        document, {accessor.bufferView, accessor.byteOffset, layout.count, layout.stride, element}, name);
+    return layout;
+}
+
+template <class Source>
+Source load(const std::uint8_t* bytes)
+{
+    // The offsets of a file need not be aligned for this machine.
+    Source value;
+    std::memcpy(&value, bytes, sizeof value);
+    return value;
+}
+
+template <class Target, class Source>
+Target convert(Source value, bool normalized)
+{
+    if constexpr (std::is_floating_point_v<Source> || !std::is_floating_point_v<Target>) {
+        return static_cast<Target>(value);
+    } else {
+        if (!normalized)
+            return static_cast<Target>(value);
+        // -128 and -127 both stand for -1. [glTF 2.0, 3.6.2.2]
+        constexpr auto most = static_cast<float>(std::numeric_limits<Source>::max());
+        return std::max(static_cast<float>(value) / most, -1.0f);
+    }
+}
+
+template <class Source, class Target>
+void copy_elements(const Layout& layout, std::span<const std::uint32_t> selection, Target* out)
+{
+    const std::size_t count = selection.empty() ? layout.count : selection.size();
+    const std::size_t bytes = element_bytes(layout);
+    if constexpr (std::is_same_v<Source, Target>) {
+        if (selection.empty() && layout.stride == bytes) {
+            std::memcpy(out, layout.first, count * bytes);
+            return;
+        }
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint8_t* element = layout.first + layout.stride * (selection.empty() ? i : selection[i]);
+        if constexpr (std::is_same_v<Source, Target>) {
+            std::memcpy(out, element, bytes);
+            out += layout.components;
+        } else {
+            for (std::size_t c = 0; c < layout.components; ++c)
+                *out++ = convert<Target>(load<Source>(element + c * sizeof(Source)), layout.normalized);
+        }
+    }
+}
+
+template <class Target>
+void copy_any(const Layout& layout, std::span<const std::uint32_t> selection, Target* out)
+{
+    if (layout.first == nullptr || layout.count == 0)
+        return;
+    switch (layout.component) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+        return copy_elements<std::int8_t>(layout, selection, out);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return copy_elements<std::uint8_t>(layout, selection, out);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+        return copy_elements<std::int16_t>(layout, selection, out);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return copy_elements<std::uint16_t>(layout, selection, out);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+        return copy_elements<std::uint32_t>(layout, selection, out);
+    default:
+        return copy_elements<float>(layout, selection, out);
+    }
+}
+
+// The elements that the sparse part replaces.
+std::vector<std::uint32_t> sparse_indices(const Document& document, const tinygltf::Accessor& accessor,
+                                          const std::string& name)
+{
+    const auto& sparse = accessor.sparse;
+    Layout layout;
+    layout.count = static_cast<std::size_t>(sparse.count);
+    layout.component = sparse.indices.componentType;
+    layout.components = 1;
+    layout.stride = element_bytes(layout);
+    if (sparse.indices.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT || layout.stride == 0)
+        document.fail(name, ": sparse indices of componentType ", sparse.indices.componentType);
+    layout.first =
+        check_run(document,
+                  {sparse.indices.bufferView, static_cast<std::uint64_t>(sparse.indices.byteOffset),
+                   layout.count, layout.stride, layout.stride},
+                  name + ", sparse indices");
+    std::vector<std::uint32_t> indices(layout.count);
+    copy_any(layout, {}, indices.data());
+    for (const std::uint32_t index : indices)
+        if (index >= accessor.count)
+            document.fail(name, ": sparse index ", index, " is past its ", accessor.count, " elements");
+    return indices;
+}
+
+template <class Target>
+void apply_sparse(const Document& document, const AccessorUse& use, const Layout& base, Target* out)
+{
+    const tinygltf::Accessor& accessor = find_accessor(document, use);
+    const std::string name = accessor_name(use.accessor);
+    if (static_cast<std::size_t>(accessor.sparse.count) > accessor.count)
+        document.fail(name, ": more sparse elements (", accessor.sparse.count, ") than elements (",
+                      accessor.count, ")");
+    const std::vector<std::uint32_t> indices = sparse_indices(document, accessor, name);
+    Layout layout = base;
+    layout.count = indices.size();
+    layout.stride = element_bytes(base);
+    layout.first = check_run(document,
+                             {accessor.sparse.values.bufferView,
+                              static_cast<std::uint64_t>(accessor.sparse.values.byteOffset), layout.count,
+                              layout.stride, layout.stride},
+                             name + ", sparse values");
+    std::vector<Target> values(indices.size() * base.components);
+    copy_any(layout, {}, values.data());
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        std::size_t element = indices[i];
+        if (!use.selection.empty()) {
+            const auto found = std::lower_bound(use.selection.begin(), use.selection.end(), indices[i]);
+            if (found == use.selection.end() || *found != indices[i])
+                continue;
+            element = static_cast<std::size_t>(found - use.selection.begin());
+        }
+        std::copy_n(&values[i * base.components], base.components, out + element * base.components);
+    }
+}
+
+// Reads into `elements`, whose memory is `components` numbers of type Target an element.
+template <class Target, class Element>
+std::vector<Element> read_elements(const Document& document, const AccessorUse& use, const Layout& layout)
+{
+    static_assert(sizeof(Element) % sizeof(Target) == 0);
+    std::vector<Element> elements(use.selection.empty() ? layout.count : use.selection.size(), Element(0));
+    auto* out = reinterpret_cast<Target*>(elements.data());
+    copy_any(layout, use.selection, out);
+    if (find_accessor(document, use).sparse.isSparse && !elements.empty())
+        apply_sparse(document, use, layout, out);
+    return elements;
+}
+
+Layout check_type(const Document& document, const AccessorUse& use, int type, const char* type_name)
+{
+    const Layout layout = check_layout(document, use);
+    if (find_accessor(document, use).type != type)
+        document.fail(use.what, ": accessor ", use.accessor, " is not ", type_name);
+    return layout;
+}
+
+void check_integers(const Document& document, const AccessorUse& use, std::span<const int> allowed)
+{
+    const int component = find_accessor(document, use).componentType;
+    if (std::find(allowed.begin(), allowed.end(), component) == allowed.end())
+        document.fail(use.what, ": accessor ", use.accessor, " has componentType ", component);
+}
+
+} // namespace
+
+std::size_t accessor_count(const Document& document, const AccessorUse& use)
+{
+    return find_accessor(document, use).count;
+}
+
+void check_accessor(const Document& document, const AccessorUse& use)
+{
+    check_layout(document, use);
+}
+
+std::size_t sparse_count(const Document& document, int accessor)
+{
+    const auto& sparse = find_accessor(document, {accessor, "sparse", false, {}}).sparse;
+    return sparse.isSparse ? static_cast<std::size_t>(sparse.count) : 0;
+}
+
+std::vector<glm::vec2> read_vec2(const Document& document, const AccessorUse& use)
+{
+    return read_elements<float, glm::vec2>(document, use,
+                                           check_type(document, use, TINYGLTF_TYPE_VEC2, "VEC2"));
+}
+
+std::vector<glm::vec3> read_vec3(const Document& document, const AccessorUse& use)
+{
+    return read_elements<float, glm::vec3>(document, use,
+                                           check_type(document, use, TINYGLTF_TYPE_VEC3, "VEC3"));
+}
+
+std::vector<glm::vec4> read_vec4(const Document& document, const AccessorUse& use)
+{
+    return read_elements<float, glm::vec4>(document, use,
+                                           check_type(document, use, TINYGLTF_TYPE_VEC4, "VEC4"));
+}
+
+std::vector<glm::vec4> read_color(const Document& document, const AccessorUse& use)
+{
+    if (find_accessor(document, use).type != TINYGLTF_TYPE_VEC3)
+        return read_vec4(document, use);
+    const std::vector<glm::vec3> rgb = read_vec3(document, use);
+    std::vector<glm::vec4> colors(rgb.size());
+    std::transform(rgb.begin(), rgb.end(), colors.begin(), [](glm::vec3 c) { return glm::vec4(c, 1.0f); });
+    return colors;
+}
+
+std::vector<glm::mat4> read_mat4(const Document& document, const AccessorUse& use)
+{
+    const Layout layout = check_type(document, use, TINYGLTF_TYPE_MAT4, "MAT4");
+    check_floats(document, use);
+    return read_elements<float, glm::mat4>(document, use, layout);
+}
+
+std::vector<float> read_scalars(const Document& document, const AccessorUse& use)
+{
+    return read_elements<float, float>(document, use,
+                                       check_type(document, use, TINYGLTF_TYPE_SCALAR, "SCALAR"));
+}
+
+void check_floats(const Document& document, const AccessorUse& use)
+{
+    constexpr int allowed[] = {TINYGLTF_COMPONENT_TYPE_FLOAT};
+    check_integers(document, use, allowed);
+}
+
+std::vector<std::uint32_t> read_indices(const Document& document, const AccessorUse& use)
+{
+    constexpr int allowed[] = {TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
+                               TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT};
+    const Layout layout = check_type(document, use, TINYGLTF_TYPE_SCALAR, "SCALAR");
+    check_integers(document, use, allowed);
+    return read_elements<std::uint32_t, std::uint32_t>(document, use, layout);
+}
+
+std::vector<glm::u16vec4> read_joints(const Document& document, const AccessorUse& use)
+{
+    constexpr int allowed[] = {TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT};
+    const Layout layout = check_type(document, use, TINYGLTF_TYPE_VEC4, "VEC4");
+    check_integers(document, use, allowed);
+    return read_elements<std::uint16_t, glm::u16vec4>(document, use, layout);
+}
+
+} // namespace lambent::scene

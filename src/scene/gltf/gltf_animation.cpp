@@ -1,0 +1,319 @@
+#include "scene/gltf/gltf_animation.h"
+
+#include "scene/gltf/gltf_accessor.h"
+#include "scene/gltf_document/gltf_losses.h"
+#include "scene/index.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <utility>
+
+namespace lambent::scene {
+namespace {
+
+// Samplers may share accessors, and a small file may share a few of them a million times. Keys of floats take
+// four bytes a number: so much sharing is more than anybody needs.
+constexpr std::uint64_t free_numbers = 2'000'000;
+constexpr std::uint64_t numbers_per_byte = 4;
+
+// Thirty years; seconds beyond have no fractions left in a float.
+constexpr float farthest_time = 1e9f;
+
+std::optional<Animated> property_of(const std::string& path)
+{
+    if (path == "translation")
+        return Animated::translation;
+    if (path == "rotation")
+        return Animated::rotation;
+    if (path == "scale")
+        return Animated::scale;
+    if (path == "weights")
+        return Animated::weights;
+    return std::nullopt;
+}
+
+// How many morph targets a node's mesh has.
+std::size_t target_count(const Document& document, int node)
+{
+    const int mesh = document.model.nodes[at(node)].mesh;
+    if (mesh < 0 || at(mesh) >= document.model.meshes.size())
+        return 0;
+    const auto& primitives = document.model.meshes[at(mesh)].primitives;
+    return primitives.empty() ? 0 : primitives.front().targets.size();
+}
+
+template <class Vector>
+std::vector<float> numbers_of(const std::vector<Vector>& vectors)
+{
+    std::vector<float> numbers;
+    numbers.reserve(vectors.size() * static_cast<std::size_t>(Vector::length()));
+    for (const Vector& vector : vectors)
+        for (int i = 0; i < Vector::length(); ++i)
+            numbers.push_back(vector[i]);
+    return numbers;
+}
+
+class AnimationReader {
+public:
+    AnimationReader(const Document& document, Warnings& warnings)
+        : document_(document), warnings_(warnings), losses_(document.file, warnings),
+          left_(free_numbers + numbers_per_byte * document.buffer_bytes())
+    {
+    }
+
+    Animation read(std::size_t index);
+    void warn();
+
+private:
+    std::optional<Track> read_track(const AnimationSource& source, const AnimationSource::Channel& channel,
+                                    const std::string& name);
+    bool is_known(const AnimationSource::Channel& channel);
+    Curve read_curve(const AnimationSource::Sampler& sampler, const Track& track, const std::string& name);
+    void read_times(const AnimationSource::Sampler& sampler, const std::string& name, Curve& curve);
+    void read_values(const AnimationSource::Sampler& sampler, Animated property, const std::string& name,
+                     Curve& curve) const;
+    void check_values(const std::string& name, const Curve& curve) const;
+    void spend(std::uint64_t numbers);
+
+    const Document& document_;
+    Warnings& warnings_;
+    Losses losses_;
+    std::uint64_t left_; // numbers that may still be read
+    std::size_t unknown_ = 0, matrices_ = 0, shapeless_ = 0, repeated_ = 0;
+};
+
+void AnimationReader::spend(std::uint64_t numbers)
+{
+    if (numbers > left_)
+        document_.fail("its animations read more than ",
+                       free_numbers + numbers_per_byte * document_.buffer_bytes(), " numbers out of ",
+                       document_.buffer_bytes(), " bytes");
+    left_ -= numbers;
+}
+
+// Two keys at one time are a jump: from there on the later one counts.
+void AnimationReader::read_times(const AnimationSource::Sampler& sampler, const std::string& name,
+                                 Curve& curve)
+{
+    std::size_t jumps = 0;
+    const AccessorUse use{sampler.input, name + ", input", false, {}};
+    check_floats(document_, use);
+    curve.times = read_scalars(document_, use);
+    for (std::size_t key = 0; key < curve.times.size(); ++key) {
+        if (!(std::fabs(curve.times[key]) <= farthest_time))
+            document_.fail(name, ": the time of key ", key, " is not within ", farthest_time, " s");
+        if (key > 0 && curve.times[key] < curve.times[key - 1])
+            document_.fail(name, ": the time of key ", key, ", ", curve.times[key],
+                           " s, is before the one before");
+        jumps += key > 0 && curve.times[key] == curve.times[key - 1] ? 1 : 0;
+    }
+    if (jumps != 0)
+        losses_.add(text(document_.file, ": ", name, ": ", jumps,
+                         " keys are at the same time as the one before: taken as jumps"));
+}
+
+// Whole numbers are fractions in rotations and weights; lengths and factors must be floats. [glTF 2.0, 3.11]
+void AnimationReader::read_values(const AnimationSource::Sampler& sampler, Animated property,
+                                  const std::string& name, Curve& curve) const
+{
+    AccessorUse use{sampler.output, name + ", output", true, {}};
+    if (property == Animated::rotation) {
+        curve.values = numbers_of(read_vec4(document_, use));
+    } else if (property == Animated::weights) {
+        curve.values = read_scalars(document_, use);
+    } else {
+        check_floats(document_, use);
+        curve.values = numbers_of(read_vec3(document_, use));
+    }
+}
+
+void AnimationReader::check_values(const std::string& name, const Curve& curve) const
+{
+    const std::size_t parts = curve.interpolation == Interpolation::cubic ? 3 : 1;
+    const std::size_t each = parts * curve.width;
+    for (std::size_t i = 0; i < curve.values.size(); ++i)
+        if (!std::isfinite(curve.values[i]))
+            document_.fail(name, ": a value of key ", i / each, " is not finite");
+    if (!curve.rotation)
+        return;
+    for (std::size_t key = 0; key < curve.times.size(); ++key) {
+        const float* q = &curve.values[key * each + parts / 2 * curve.width];
+        if (q[0] == 0.0f && q[1] == 0.0f && q[2] == 0.0f && q[3] == 0.0f)
+            document_.fail(name, ": the rotation of key ", key, " has no length");
+    }
+}
+
+Curve AnimationReader::read_curve(const AnimationSource::Sampler& sampler, const Track& track,
+                                  const std::string& name)
+{
+    if (sampler.is_broken)
+        throw told_already();
+    Curve curve;
+    if (sampler.interpolation == "STEP")
+        curve.interpolation = Interpolation::step;
+    else if (sampler.interpolation == "CUBICSPLINE")
+        curve.interpolation = Interpolation::cubic;
+    else if (sampler.interpolation != "LINEAR")
+        document_.fail(name, ": interpolation \"", printable(sampler.interpolation), "\" is not one of glTF");
+    curve.rotation = track.property == Animated::rotation;
+    curve.width = curve.rotation                        ? 4
+                  : track.property == Animated::weights ? target_count(document_, track.node)
+                                                        : 3;
+    // Elements of `output`: weights come one by one.
+    const std::uint64_t each = (curve.interpolation == Interpolation::cubic ? 3u : 1u) *
+                               (track.property == Animated::weights ? curve.width : 1u);
+    const AccessorUse input{sampler.input, name + ", input", false, {}},
+        output{sampler.output, name + ", output", false, {}};
+    check_accessor(document_, input);
+    check_accessor(document_, output);
+    const std::uint64_t keys = accessor_count(document_, input), values = accessor_count(document_, output);
+    if (keys == 0)
+        document_.fail(name, ": no keys");
+    if (values != keys * each) // both fit 32 bits
+        document_.fail(name, ": ", values, " values for ", keys, " keys, not ", each, " for each");
+    spend(keys + values * (track.property == Animated::weights ? 1u : curve.width) +
+          sparse_count(document_, sampler.input) + sparse_count(document_, sampler.output));
+    read_times(sampler, name, curve);
+    read_values(sampler, track.property, name, curve);
+    check_values(name, curve);
+    return curve;
+}
+
+// Counts what is left out.
+bool AnimationReader::is_known(const AnimationSource::Channel& channel)
+{
+    const std::optional<Animated> property = property_of(channel.path);
+    if (channel.node < 0 || !property) {
+        ++unknown_;
+        return false;
+    }
+    const bool weights = *property == Animated::weights;
+    const bool shapeless = weights && target_count(document_, channel.node) == 0;
+    const bool matrix = !weights && !document_.model.nodes[at(channel.node)].matrix.empty();
+    shapeless_ += shapeless ? 1 : 0;
+    matrices_ += matrix ? 1 : 0;
+    return !shapeless && !matrix;
+}
+
+std::optional<Track> AnimationReader::read_track(const AnimationSource& source,
+                                                 const AnimationSource::Channel& channel,
+                                                 const std::string& name)
+{
+    if (channel.node >= 0 && at(channel.node) >= document_.model.nodes.size())
+        document_.fail(name, ": node ", channel.node, " does not exist");
+    if (at(channel.sampler) >= source.samplers.size())
+        document_.fail(name, ": sampler ", channel.sampler, " does not exist");
+    if (!is_known(channel))
+        return std::nullopt;
+    Track track;
+    track.node = channel.node;
+    track.property = *property_of(channel.path);
+    return track;
+}
+
+Animation AnimationReader::read(std::size_t index)
+{
+    const AnimationSource& source = document_.animations[index];
+    const std::string name = text("animation ", index);
+    Animation animation;
+    animation.info.name = source.name.empty() ? text("animation", index) : source.name;
+    std::set<std::pair<int, Animated>> targets;
+    for (std::size_t i = 0; i < source.channels.size(); ++i) {
+        const AnimationSource::Channel& channel = source.channels[i];
+        std::optional<Track> track;
+        const bool whole = losses_.spare("the channel is left out", [&] {
+            track = read_track(source, channel, text(name, ", channel ", i));
+            if (track && !targets.contains({track->node, track->property}))
+                track->curve = read_curve(source.samplers[at(channel.sampler)], *track,
+                                          text(name, ", sampler ", channel.sampler));
+        });
+        if (!whole || !track)
+            continue;
+        if (!targets.emplace(track->node, track->property).second) {
+            ++repeated_;
+            continue;
+        }
+        animation.info.seconds =
+            std::max(animation.info.seconds, static_cast<double>(track->curve.times.back()));
+        animation.tracks.push_back(std::move(*track));
+    }
+    return animation;
+}
+
+void AnimationReader::warn()
+{
+    const auto warn_if = [&](std::size_t count, const char* what) {
+        if (count != 0)
+            warnings_.push_back(
+                text(document_.file, ": ", count, " animation channels ", what, ": left out"));
+    };
+    warn_if(unknown_, "of properties that are not known");
+    warn_if(matrices_, "of nodes with a matrix");
+    warn_if(shapeless_, "of weights without morph targets");
+    warn_if(repeated_, "of what another channel moves");
+}
+
+// Far beyond what anything can be drawn with, and within what floats hold.
+std::vector<double> limited(std::vector<double> numbers)
+{
+    constexpr double most = std::numeric_limits<float>::max();
+    for (double& number : numbers)
+        number = std::clamp(number, -most, most);
+    return numbers;
+}
+
+void apply(const Track& track, double seconds, NodePose& pose)
+{
+    std::vector<double> v = limited(value_at(track.curve, seconds));
+    if (track.property == Animated::translation)
+        pose.translation = glm::dvec3(v[0], v[1], v[2]);
+    else if (track.property == Animated::rotation)
+        pose.rotation = glm::dquat(v[3], v[0], v[1], v[2]);
+    else if (track.property == Animated::scale)
+        pose.scale = glm::dvec3(v[0], v[1], v[2]);
+    else
+        pose.weights = std::move(v);
+}
+
+} // namespace
+
+std::vector<Animation> read_animations(const Document& document, Warnings& warnings)
+{
+    AnimationReader reader(document, warnings);
+    std::vector<Animation> animations;
+    for (std::size_t i = 0; i < document.animations.size(); ++i)
+        animations.push_back(reader.read(i));
+    reader.warn();
+    return animations;
+}
+
+Pose pose_of(const Document& document, std::span<const Animation> animations,
+             const std::optional<Moment>& moment)
+{
+    Pose pose;
+    for (const Animation& animation : animations)
+        for (const Track& track : animation.tracks) {
+            NodePose& node = pose[track.node];
+            if (track.property != Animated::weights || node.morphs)
+                continue;
+            const tinygltf::Node& source = document.model.nodes[at(track.node)];
+            node.weights =
+                source.weights.empty() ? document.model.meshes[at(source.mesh)].weights : source.weights;
+            node.morphs = true;
+        }
+    if (!moment)
+        return pose;
+    if (moment->animation < 0 || at(moment->animation) >= animations.size())
+        throw Error(Failure::usage, text(document.file, ": there is no animation ", moment->animation));
+    const Animation& animation = animations[at(moment->animation)];
+    const double seconds = moment->seconds > 0.0 ? std::min(moment->seconds, animation.info.seconds) : 0.0;
+    for (const Track& track : animation.tracks)
+        apply(track, seconds, pose[track.node]);
+    return pose;
+}
+
+} // namespace lambent::scene

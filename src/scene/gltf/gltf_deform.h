@@ -1,0 +1,42 @@
+// Morph targets and skins, applied as the nodes stand.
+#pragma once
+
+#include "scene/gltf_document/gltf_document.h"
+#include "scene/gltf_document/gltf_losses.h"
+#include "scene/gltf/gltf_nodes.h"
+
+#include <glm/mat4x4.hpp>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lambent::scene {
+
+/// One primitive of the file, and which of its vertices are read (ascending; empty: all).
+struct PrimitivePart {
+    const tinygltf::Primitive& primitive;
+    std::string name; ///< "mesh 0, primitive 1"
+    std::span<const std::uint32_t> selection;
+};
+
+/// Adds the weighted displacements of positions, normals and tangents. Weights beyond the targets, and
+/// targets beyond the weights, count as 0. Returns how many displacements of other attributes it left out. One that
+/// cannot be read is left out with a warning.
+std::size_t apply_morph_targets(const Document& document, const PrimitivePart& part,
+                                std::span<const double> weights, Losses& losses, Mesh& mesh);
+
+/// For each joint of a skin: world from mesh, as the nodes stand. Throws Error(bad_input) for joints or inverse
+/// bind matrices that do not exist or are not finite.
+std::vector<glm::mat4> skin_matrices(const Document& document, const NodeTree& nodes, int skin);
+
+bool has_skin_attributes(const tinygltf::Primitive& primitive);
+
+/// Moves the vertices into the world by their joints. Where the movement mirrors, triangles are turned
+/// over, so that their fronts stay in front. Vertices whose weights sum to 0 follow their first joint.
+/// Throws Error(bad_input), having changed nothing, for a joint that the skin does not have or a weight that is not finite.
+void apply_skin(const Document& document, const PrimitivePart& part, std::span<const glm::mat4> matrices,
+                Mesh& mesh);
+
+} // namespace lambent::scene

@@ -1,0 +1,205 @@
+#include "scene/gltf/gltf_light.h"
+
+#include "scene/gltf_document/gltf_losses.h"
+#include "scene/index.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace lambent::scene {
+namespace {
+
+constexpr double half_turn = 3.14159265358979323846;
+
+// Rotation and translation of a transform: the Z axis keeps its direction, Y stays in the plane of Z and Y.
+std::optional<glm::mat4> rigid(const glm::dmat4& transform)
+{
+    const glm::dvec3 z(transform[2]);
+    const double z_length = glm::length(z);
+    const glm::dvec3 unit_z = z / z_length;
+    const glm::dvec3 y = glm::dvec3(transform[1]) - unit_z * glm::dot(unit_z, glm::dvec3(transform[1]));
+    const double y_length = glm::length(y);
+    if (!(z_length > 0.0) || !(y_length > 1e-9 * glm::length(glm::dvec3(transform[1]))))
+        return std::nullopt;
+    const glm::dvec3 unit_y = y / y_length;
+    return glm::mat4(glm::dmat4(glm::dvec4(glm::cross(unit_y, unit_z), 0.0), glm::dvec4(unit_y, 0.0),
+                                glm::dvec4(unit_z, 0.0), transform[3]));
+}
+
+Camera read_lens(const Document& document, int index)
+{
+    if (index < 0 || at(index) >= document.model.cameras.size())
+        document.fail("camera ", index, " does not exist");
+    const tinygltf::Camera& source = document.model.cameras[at(index)];
+    if (is_broken(source.extensions))
+        throw told_already();
+    Camera camera;
+    camera.name = source.name;
+    if (source.type == "perspective") {
+        if (!(source.perspective.yfov > 0.0 && source.perspective.yfov < half_turn))
+            document.fail("camera ", index, ": yfov ", source.perspective.yfov, " is not between 0 and pi");
+        camera.vertical_fov = static_cast<float>(source.perspective.yfov);
+    } else {
+        // ymag is half of what is seen; a negative one would turn the picture over and is read as positive.
+        camera.vertical_size = static_cast<float>(2.0 * std::abs(source.orthographic.ymag));
+        if (!(camera.vertical_size > 0.0f && std::isfinite(camera.vertical_size)))
+            document.fail("camera ", index, ": ymag ", source.orthographic.ymag, " is no size");
+    }
+    return camera;
+}
+
+// Whether the planes make sense; far may be infinite.
+bool are_planes(double nearest, double near, double far)
+{
+    return std::isfinite(near) && near >= nearest && far > near;
+}
+
+// What a camera says besides the height of what it sees. [glTF 2.0, 3.10.3]
+void read_extent(const Document& document, int index, Losses& losses, Camera& camera)
+{
+    const tinygltf::Camera& source = document.model.cameras[at(index)];
+    const auto warn = [&](const char* what) {
+        losses.add(text(document.file, ": camera ", index, ": ", what));
+    };
+    const bool perspective = source.type == "perspective";
+    const auto& p = source.perspective;
+    const auto& o = source.orthographic;
+    // An aspect of 0 is none given, as tinygltf has it.
+    const double aspect = perspective ? p.aspectRatio : std::abs(o.xmag / o.ymag);
+    if (!perspective && (o.xmag < 0.0 || o.ymag < 0.0))
+        warn("a negative xmag or ymag would mirror the picture: read as positive");
+    if (static_cast<float>(aspect) > 0.0f && std::isfinite(static_cast<float>(aspect)))
+        camera.aspect = static_cast<float>(aspect);
+    else if (!perspective || aspect != 0.0)
+        warn(perspective ? "aspectRatio is none: passed over" : "xmag is no size: passed over");
+    const double near = perspective ? p.znear : o.znear;
+    const double given = perspective ? p.zfar : o.zfar;
+    const double far = perspective && given == 0.0 ? std::numeric_limits<double>::infinity() : given;
+    if (!are_planes(0.0, near, far)) {
+        warn("znear and zfar are no planes one behind the other: passed over");
+        return;
+    }
+    camera.near = static_cast<float>(near);
+    camera.far = static_cast<float>(far);
+}
+
+// Index of the light that a node carries; -1 for none.
+int light_of(const tinygltf::Node& node)
+{
+    const auto extension = node.extensions.find("KHR_lights_punctual");
+    return extension == node.extensions.end() ? -1 : extension->second.Get("light").GetNumberAsInt();
+}
+
+glm::vec3 light_intensity(const Document& document, const tinygltf::Light& light, const std::string& name)
+{
+    glm::vec3 intensity(static_cast<float>(light.intensity));
+    for (std::size_t channel = 0; channel < light.color.size(); ++channel)
+        intensity[static_cast<int>(channel)] = static_cast<float>(light.intensity * light.color[channel]);
+    for (int channel = 0; channel < 3; ++channel)
+        if (!(intensity[channel] >= 0.0f && std::isfinite(intensity[channel])))
+            document.fail(name, ": its intensity times colour is negative or too large");
+    return intensity;
+}
+
+void read_cones(const tinygltf::SpotLight& spot, const std::string& name, Losses& losses, Light& light)
+{
+    const double most = half_turn / 2.0;
+    const double outer = std::min(spot.outerConeAngle, most);
+    if (!(outer > 0.0))
+        refuse(name, ": outerConeAngle ", spot.outerConeAngle, " leaves no cone");
+    const double inner = std::clamp(spot.innerConeAngle, 0.0, outer);
+    if (inner != spot.innerConeAngle || spot.outerConeAngle > most + 1e-6)
+        losses.add(text(name, ": cone angles ", spot.innerConeAngle, " and ", spot.outerConeAngle,
+                        " are not 0 <= inner <= outer <= pi/2"),
+                   text(inner, " and ", outer, " are used"));
+    light.inner_cone = static_cast<float>(inner);
+    light.outer_cone = static_cast<float>(outer);
+}
+
+Light read_light(const Document& document, int index, Losses& losses)
+{
+    const std::string name = text("light ", index);
+    if (index < 0 || at(index) >= document.model.lights.size())
+        document.fail(name, " does not exist");
+    const tinygltf::Light& source = document.model.lights[at(index)];
+    if (is_broken(source.extensions))
+        throw told_already();
+    Light light;
+    if (source.type == "directional")
+        light.kind = LightKind::directional;
+    else if (source.type == "point")
+        light.kind = LightKind::point;
+    else if (source.type == "spot")
+        light.kind = LightKind::spot;
+    else
+        document.fail(name, ": type \"", printable(source.type), "\" is not known");
+    light.intensity = light_intensity(document, source, name);
+    if (source.range < 0.0)
+        losses.add(text(document.file, ": ", name, ": range ", source.range, " is negative"), "none is used");
+    if (source.range > 0.0)
+        light.range = static_cast<float>(source.range);
+    if (light.kind == LightKind::spot)
+        read_cones(source.spot, text(document.file, ": ", name), losses, light);
+    return light;
+}
+
+} // namespace
+
+std::vector<Camera> read_cameras(const Document& document, const NodeTree& nodes, Warnings& warnings)
+{
+    std::vector<Camera> cameras;
+    Losses losses(document.file, warnings);
+    for (const int node : nodes.drawn) {
+        const tinygltf::Node& source = document.model.nodes[at(node)];
+        if (source.camera < 0)
+            continue;
+        Camera camera;
+        if (!losses.spare("the camera is left out", [&] { camera = read_lens(document, source.camera); }))
+            continue;
+        read_extent(document, source.camera, losses, camera);
+        if (!source.name.empty())
+            camera.name = source.name;
+        if (camera.name.empty())
+            camera.name = text("camera", cameras.size());
+        const auto transform = rigid(nodes.world[at(node)]);
+        if (!transform) {
+            losses.add(text(document.file, ": node ", node, ": camera without direction left out"));
+            continue;
+        }
+        camera.transform = *transform;
+        cameras.push_back(std::move(camera));
+    }
+    return cameras;
+}
+
+std::vector<Light> read_lights(const Document& document, const NodeTree& nodes, Warnings& warnings)
+{
+    std::vector<Light> lights;
+    Losses losses(document.file, warnings);
+    for (const int node : nodes.drawn) {
+        const int index = light_of(document.model.nodes[at(node)]);
+        if (index < 0 || nodes.hidden[at(node)])
+            continue;
+        Light light;
+        if (!losses.spare("the light is left out", [&] { light = read_light(document, index, losses); }))
+            continue;
+        const glm::dmat4& world = nodes.world[at(node)];
+        light.position = glm::vec3(glm::dvec3(world[3]));
+        const glm::dvec3 backward(world[2]);
+        const double length = glm::length(backward);
+        if (length > 0.0) {
+            light.direction = glm::vec3(-backward / length);
+        } else if (light.kind != LightKind::point) {
+            losses.add(text(document.file, ": node ", node, ": light without direction left out"));
+            continue;
+        }
+        lights.push_back(light);
+    }
+    return lights;
+}
+
+} // namespace lambent::scene

@@ -1,0 +1,284 @@
+#include "scene/gltf/gltf_nodes.h"
+
+#include "scene/gltf_document/gltf_json.h"
+#include "scene/gltf_document/gltf_losses.h"
+#include "scene/index.h"
+
+#include <glm/ext/matrix_transform.hpp>
+#include <glm/ext/quaternion_double.hpp>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace lambent::scene {
+namespace {
+
+constexpr int no_parent = -1;
+
+// Faults in the hierarchy: each costs the link it is about.
+class Complaints {
+public:
+    Complaints(const Document& document, Warnings& warnings)
+        : file_(document.file), losses_(document.file, warnings)
+    {
+    }
+
+    template <class... Parts>
+    void add(const char* cost, const Parts&... parts)
+    {
+        losses_.add(text(file_, ": ", parts...), cost);
+    }
+
+    // Of what may have had something to draw.
+    template <class... Parts>
+    void lose(const char* cost, const Parts&... parts)
+    {
+        add(cost, parts...);
+        if (first_.empty())
+            first_ = text(file_, ": ", parts...);
+    }
+
+    const std::string& first() const { return first_; }
+
+private:
+    const std::string& file_;
+    Losses losses_;
+    std::string first_;
+};
+
+// The file's nodes as a forest: each has one parent at most, and nobody is his own ancestor.
+struct Forest {
+    std::vector<int> parents;
+    std::vector<std::vector<int>> children;
+};
+
+Forest find_links(const Document& document, Complaints& complaints)
+{
+    const auto& nodes = document.model.nodes;
+    Forest forest{std::vector<int>(nodes.size(), no_parent), std::vector<std::vector<int>>(nodes.size())};
+    for (std::size_t node = 0; node < nodes.size(); ++node) {
+        for (const int child : nodes[node].children) {
+            if (child == unreadable_index)
+                continue;
+            if (child < 0 || at(child) >= nodes.size()) {
+                complaints.lose("left out", "node ", node, ": child ", child, " does not exist");
+            } else if (forest.parents[at(child)] != no_parent) {
+                complaints.lose("the first counts", "node ", child, " has two parents, ",
+                                forest.parents[at(child)], " and ", node);
+            } else {
+                forest.parents[at(child)] = static_cast<int>(node);
+                forest.children[node].push_back(child);
+            }
+        }
+    }
+    return forest;
+}
+
+glm::dmat4 matrix_transform(const Document& document, std::size_t node, Complaints& complaints)
+{
+    const std::vector<double>& values = document.model.nodes[node].matrix;
+    glm::dmat4 matrix;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            matrix[column][row] = values[static_cast<std::size_t>(column * 4 + row)];
+    constexpr double slack = 1e-6; // exporters write what their own inverse left over
+    if (std::abs(matrix[0][3]) > slack || std::abs(matrix[1][3]) > slack || std::abs(matrix[2][3]) > slack ||
+        std::abs(matrix[3][3] - 1.0) > slack)
+        complaints.add("its last row is ignored", "node ", node, ": its matrix is not affine");
+    matrix[0][3] = matrix[1][3] = matrix[2][3] = 0.0;
+    matrix[3][3] = 1.0;
+    return matrix;
+}
+
+struct LocalTransform {
+    glm::dmat4 matrix{1.0};
+    bool rotation_was_unit = true;
+};
+
+LocalTransform local_transform(const Document& document, std::size_t index, const NodePose& pose,
+                               Complaints& complaints)
+{
+    const tinygltf::Node& node = document.model.nodes[index];
+    LocalTransform local;
+    if (!node.matrix.empty()) {
+        local.matrix = matrix_transform(document, index, complaints);
+        return local;
+    }
+    if (pose.translation)
+        local.matrix[3] = glm::dvec4(*pose.translation, 1.0);
+    else if (!node.translation.empty())
+        local.matrix[3] = {node.translation[0], node.translation[1], node.translation[2], 1.0};
+    if (pose.rotation) {
+        local.matrix *= glm::mat4_cast(*pose.rotation);
+    } else if (!node.rotation.empty()) {
+        const glm::dquat quaternion(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
+        const double length = glm::length(quaternion);
+        if (length > 1e-30 && std::isfinite(length)) {
+            local.rotation_was_unit = std::abs(length - 1.0) < 1e-2;
+            local.matrix *= glm::mat4_cast(quaternion / length);
+        } else {
+            complaints.add("ignored", "node ", index, ": its rotation has no length");
+        }
+    }
+    if (pose.scale)
+        local.matrix = glm::scale(local.matrix, *pose.scale);
+    else if (!node.scale.empty())
+        local.matrix = glm::scale(local.matrix, glm::dvec3(node.scale[0], node.scale[1], node.scale[2]));
+    return local;
+}
+
+// Cameras are there all the same. [KHR_node_visibility]
+bool hides(const tinygltf::Node& node)
+{
+    const auto extension = node.extensions.find("KHR_node_visibility");
+    return extension != node.extensions.end() && extension->second.Has("visible") &&
+           !extension->second.Get("visible").Get<bool>();
+}
+
+bool fits_floats(const glm::dmat4& matrix)
+{
+    constexpr double most = std::numeric_limits<float>::max();
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!(std::abs(matrix[column][row]) <= most))
+                return false;
+    return true;
+}
+
+std::vector<int> all_roots(const std::vector<int>& parents)
+{
+    std::vector<int> roots;
+    for (std::size_t node = 0; node < parents.size(); ++node)
+        if (parents[node] == no_parent)
+            roots.push_back(static_cast<int>(node));
+    return roots;
+}
+
+std::vector<int> scene_roots(const Document& document, const std::vector<int>& parents,
+                             Complaints& complaints)
+{
+    const auto& model = document.model;
+    int scene = std::max(model.defaultScene, 0);
+    if (at(scene) >= model.scenes.size() && model.defaultScene >= 0) {
+        complaints.add("ignored", "scene ", scene, " does not exist");
+        scene = 0;
+    }
+    if (model.scenes.empty())
+        return all_roots(parents);
+    std::vector<bool> listed(parents.size(), false);
+    std::vector<int> roots;
+    for (const int root : model.scenes[at(scene)].nodes) {
+        if (root == unreadable_index)
+            continue;
+        if (root < 0 || at(root) >= parents.size()) {
+            complaints.lose("left out", "scene ", scene, ": node ", root, " does not exist");
+            continue;
+        }
+        if (listed[at(root)]) {
+            complaints.add("drawn once", "scene ", scene, ": node ", root, " is listed twice");
+            continue;
+        }
+        if (parents[at(root)] != no_parent)
+            complaints.add("drawn where that puts it", "scene ", scene, ": node ", root, " is no root: node ",
+                           parents[at(root)], " is its parent");
+        listed[at(root)] = true;
+        roots.push_back(root);
+    }
+    return roots;
+}
+
+// Nodes reachable from the roots, parents first, each subtree in the order of the file, each once.
+std::vector<int> preorder(const Forest& forest, const std::vector<int>& roots)
+{
+    std::vector<int> order;
+    std::vector<bool> seen(forest.parents.size(), false);
+    std::vector<int> waiting(roots.rbegin(), roots.rend());
+    while (!waiting.empty()) {
+        const int node = waiting.back();
+        waiting.pop_back();
+        if (seen[at(node)])
+            continue;
+        seen[at(node)] = true;
+        order.push_back(node);
+        const std::vector<int>& children = forest.children[at(node)];
+        waiting.insert(waiting.end(), children.rbegin(), children.rend());
+    }
+    return order;
+}
+
+// With one parent each, nodes that no root reaches go round in circles, or hang on one. Each circle loses one link.
+void cut_cycles(Forest& forest, Complaints& complaints)
+{
+    std::vector<bool> reached(forest.parents.size(), false);
+    for (const int node : preorder(forest, all_roots(forest.parents)))
+        reached[at(node)] = true;
+    std::vector<bool> passed(reached.size(), false);
+    for (std::size_t start = 0; start < reached.size(); ++start) {
+        if (reached[start])
+            continue;
+        auto node = static_cast<int>(start);
+        for (; !passed[at(node)]; node = forest.parents[at(node)])
+            passed[at(node)] = true;
+        complaints.lose("cut off from its parent", "node ", node, " is its own ancestor");
+        std::erase(forest.children[at(forest.parents[at(node)])], node);
+        forest.parents[at(node)] = no_parent;
+        for (std::vector<int> waiting = {node}; !waiting.empty();) {
+            const int below = waiting.back();
+            waiting.pop_back();
+            reached[at(below)] = true;
+            waiting.insert(waiting.end(), forest.children[at(below)].begin(),
+                           forest.children[at(below)].end());
+        }
+    }
+}
+
+} // namespace
+
+NodeTree build_node_tree(const Document& document, Pose pose, Warnings& warnings)
+{
+    Complaints complaints(document, warnings);
+    Forest forest = find_links(document, complaints);
+    cut_cycles(forest, complaints);
+    const std::vector<int>& parents = forest.parents;
+
+    NodeTree tree;
+    tree.world.resize(parents.size());
+    tree.hidden.resize(parents.size());
+    const NodePose at_rest;
+    std::size_t odd_rotations = 0;
+    for (const int node : preorder(forest, all_roots(parents))) {
+        const auto posed = pose.find(node);
+        const LocalTransform local =
+            local_transform(document, at(node), posed == pose.end() ? at_rest : posed->second, complaints);
+        odd_rotations += local.rotation_was_unit ? 0 : 1;
+        const int parent = parents[at(node)];
+        glm::dmat4& world = tree.world[at(node)];
+        world = parent == no_parent ? local.matrix : tree.world[at(parent)] * local.matrix;
+        tree.hidden[at(node)] =
+            hides(document.model.nodes[at(node)]) || (parent != no_parent && tree.hidden[at(parent)]);
+        if (fits_floats(world))
+            continue;
+        complaints.lose("left out", "node ", node, ": its transform in the world is not finite");
+        world = glm::scale(glm::dmat4(1.0), glm::dvec3(0.0)); // as what is flattened
+    }
+    if (odd_rotations != 0)
+        warnings.push_back(
+            text(document.file, ": ", odd_rotations, " node rotations were not of unit length: normalised"));
+    tree.drawn = preorder(forest, scene_roots(document, parents, complaints));
+    tree.pose = std::move(pose);
+    tree.first_loss = complaints.first();
+    return tree;
+}
+
+void move_origin(NodeTree& nodes, const glm::dvec3& origin)
+{
+    for (glm::dmat4& world : nodes.world)
+        world[3] -= glm::dvec4(origin, 0.0);
+    nodes.origin += origin;
+}
+
+} // namespace lambent::scene
