@@ -130,8 +130,8 @@ vec2 pixel_point(const Environment&, int)
     return {0.1, -0.2};
 }
 
-#include "shading/pixel.glsl"
-#include "shading/specular_ggx.glsl"
+#include "shading/surface/pixel.glsl"
+#include "shading/lobes/ggx_light.glsl"
 
 #pragma GCC diagnostic pop
 

@@ -15,7 +15,7 @@ enum class Reading { one, three, root };
 struct LayerSource {
     const char* name;
     Layer::Kind kind;
-    Column first; ///< the column, or the first of three
+    int first; ///< the column, or the first of three
     Reading reading;
 };
 

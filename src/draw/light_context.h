@@ -22,7 +22,7 @@ struct LightSource {
     float cos_inner = -2.0f, cos_outer = -3.0f; ///< below -1: not a spot
 };
 
-/// The powers of ReportPipeline; see shading/pipeline_report.glsl.
+/// The powers of ReportPipeline; see shading/lobes/pipeline_report.glsl.
 struct ReportPowers {
     float decode, exposure, encode, back;
 };

@@ -11,6 +11,8 @@ namespace lambent::gpu_layout {
 using glm::ivec4, glm::uvec4, glm::vec4;
 using uint = std::uint32_t;
 
+#include "shading/numbers.glsl"
+
 #include "gpu_layout/bake.glsl"
 #include "gpu_layout/light.glsl"
 #include "gpu_layout/scene.glsl"
@@ -20,9 +22,11 @@ using uint = std::uint32_t;
 static_assert(sizeof(LightRecord) == 64 && offsetof(LightRecord, outer) == 48);
 static_assert(sizeof(SampleRecord) == 32 && offsetof(SampleRecord, lobe) == 16);
 static_assert(sizeof(LampRecord) == 32 && offsetof(LampRecord, light) == 16);
-static_assert(sizeof(InstanceRecord) == 128 && offsetof(InstanceRecord, sets) == 112);
+static_assert(sizeof(InstanceRecord) == 112 + 4 * texture_room && offsetof(InstanceRecord, sets) == 112);
 static_assert(sizeof(MeshRecord) == 32 && sizeof(UseRecord) == 48);
-static_assert(sizeof(MaterialRecord) == 352 && offsetof(MaterialRecord, uses) == 112);
+static_assert(offsetof(MaterialRecord, phong_diffuse) == 4 * (parameter_room + texture_room));
+static_assert(offsetof(MaterialRecord, uses) == offsetof(MaterialRecord, phong_diffuse) + 64);
+static_assert(sizeof(MaterialRecord) == offsetof(MaterialRecord, uses) + texture_count * sizeof(UseRecord));
 static_assert(sizeof(TextureRecord) == 288 && offsetof(TextureRecord, levels) == 32);
 static_assert(sizeof(PictureRecord) == 416 && offsetof(PictureRecord, layers) == 352);
 static_assert(sizeof(PictureRecord::layers) == most_layers * sizeof(int));

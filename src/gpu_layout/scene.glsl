@@ -1,5 +1,7 @@
 // A scene as shaders read it. Words are 32 bits; places in the geometry buffer count words.
 
+const int parameter_room = (parameter_numbers + 3) / 4 * 4;
+const int texture_room = (texture_count + 3) / 4 * 4;
 const uint no_words = 0xffffffffu; // an attribute that a mesh does not have
 
 struct InstanceRecord {
@@ -9,8 +11,8 @@ struct InstanceRecord {
     vec4 normal_x; // world from mesh for normals, rows
     vec4 normal_y;
     vec4 normal_z; // w: -1 where the transform mirrors, else 1
-    uvec4 ids;     // mesh, material, texture coordinates of the material's last use
-    uvec4 sets;    // texture coordinates of the four before it: 2 words a vertex
+    uvec4 ids;     // mesh, material
+    uint sets[texture_room]; // texture coordinates of the material's textures: 2 words a vertex
 };
 
 struct MeshRecord {
@@ -25,25 +27,14 @@ struct UseRecord {
     ivec4 ids; // texture, -1: none
 };
 
-const int use_base_color = 0;
-const int use_metallic_roughness = 1;
-const int use_normal = 2;
-const int use_occlusion = 3;
-const int use_emissive = 4;
-
-const int alpha_opaque = 0;
-const int alpha_mask = 1;
-const int alpha_blend = 2;
-
 struct MaterialRecord {
-    vec4 base_color;
-    vec4 emissive;       // rgb; w: scale of the normal map
-    vec4 numbers;        // metalness, perceptual roughness, strength of occlusion, alpha cutoff
+    float factors[parameter_room]; // by the numbers of shading/material/
+    float normal_scales[texture_room];
     vec4 phong_diffuse;  // w: 1 where given
     vec4 phong_specular; // w: 1 where given
-    vec4 phong_exponent; // x; y: 1 where given
+    vec4 phong_exponent; // x; y: 1 where given; z: alpha's cutoff
     ivec4 kind;          // alpha mode; 1 if unlit
-    UseRecord uses[5];
+    UseRecord uses[texture_count];
 };
 
 const int wrap_repeat = 0;

@@ -33,11 +33,6 @@ const int constant_through = 2; // 1 where something can be seen through
 
 const uint nothing = 0xffffffffu;
 
-const int background_none = 0;
-const int background_color = 1;
-const int background_panorama = 2;
-const int background_blurred = 3;
-
 // How a layer is read from columns, as draw/layer_list.h has it.
 const int read_one = 0;
 const int read_three = 1;

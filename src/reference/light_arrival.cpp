@@ -13,8 +13,8 @@
 namespace lambent::in_double {
 namespace {
 
-#include "shading/pixel.glsl"
-#include "shading/direct.glsl"
+#include "shading/surface/pixel.glsl"
+#include "shading/lobes/direct.glsl"
 
 } // namespace
 } // namespace lambent::in_double

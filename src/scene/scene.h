@@ -3,13 +3,13 @@
 #pragma once
 
 #include <glm/ext/vector_double3.hpp>
-#include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
 #include "image/image.h"
+#include "scene/material.h"
 #include "scene/texcoord_sets.h"
 
 #include <cstdint>
@@ -19,58 +19,6 @@
 #include <vector>
 
 namespace lambent::scene {
-
-enum class Wrap : std::uint8_t { repeat, mirrored_repeat, clamp_to_edge };
-
-/// How a texture is read outside [0, 1] and between texels. [glTF 2.0, 3.8.4]
-struct Sampler {
-    Wrap wrap_u = Wrap::repeat;
-    Wrap wrap_v = Wrap::repeat;
-    bool magnify_nearest = false; ///< magFilter NEAREST
-    bool minify_nearest = false;  ///< minFilter NEAREST or NEAREST_MIPMAP_*
-    bool nearest_mipmap = false;  ///< minFilter *_MIPMAP_NEAREST: one mip map is read, not a blend of two
-    bool mipmapped = true;        ///< minFilter with mip maps, or none given
-
-    bool operator==(const Sampler&) const = default;
-};
-
-/// One use of an image by a material.
-struct TextureUse {
-    int image = -1; ///< index into Scene::images; -1: no texture
-    Sampler sampler;
-    int texcoord = 0;          ///< which set of the mesh, not below 0
-    glm::mat3 transform{1.0f}; ///< applied to (u, v, 1); KHR_texture_transform
-};
-
-enum class AlphaMode : std::uint8_t { opaque, mask, blend };
-
-/// What the report's model takes in place of what it makes of a material's colour, metalness and roughness.
-struct PhongMaterial {
-    std::optional<glm::vec3> diffuse;  ///< Kd
-    std::optional<glm::vec3> specular; ///< Ks
-    std::optional<float> exponent;     ///< alpha of the report: Phong exponent, 0 < exponent <= 1e6
-};
-
-/// Metallic-roughness. [glTF 2.0, 3.9]
-struct Material {
-    std::string name;
-    glm::vec4 base_color{1.0f};
-    float metallic = 1.0f;
-    float perceptual_roughness = 1.0f;
-    glm::vec3 emissive{0.0f}; ///< radiance, nits; KHR_materials_emissive_strength multiplied in
-    float normal_scale = 1.0f;
-    float occlusion_strength = 1.0f;
-    TextureUse base_color_texture;         ///< sRGB codes
-    TextureUse metallic_roughness_texture; ///< linear codes: G roughness, B metallic
-    TextureUse normal_texture;             ///< linear codes, tangent space, +Y up
-    TextureUse occlusion_texture;          ///< linear codes: R
-    TextureUse emissive_texture;           ///< sRGB codes
-    AlphaMode alpha_mode = AlphaMode::opaque;
-    float alpha_cutoff = 0.5f;
-    bool double_sided = false;
-    bool unlit = false; ///< KHR_materials_unlit: base colour is the radiance
-    PhongMaterial phong;
-};
 
 /// Triangles, or points and lines, with one material. Per-vertex arrays have one entry a vertex, or none where marked
 /// optional. Corners are below positions.size(). Points and lines are one pixel wide in every picture

@@ -11,7 +11,8 @@ using namespace gpu_layout;
 
 std::vector<LayerSource> copies(std::size_t count)
 {
-    return std::vector<LayerSource>(count, {"normal", Layer::Kind::normal, shading_x, Reading::three});
+    return std::vector<LayerSource>(count,
+                                    {"normal", Layer::Kind::normal, draw::column_shine, Reading::three});
 }
 
 TEST(LayerRecord, HoldsAsManyAsThereIsRoomFor)
@@ -22,7 +23,7 @@ TEST(LayerRecord, HoldsAsManyAsThereIsRoomFor)
         list_layers(copies(count), record);
         ASSERT_EQ(record.samples.z, static_cast<int>(count) + 1);
         for (int i = 0; i < static_cast<int>(count); ++i)
-            EXPECT_EQ(record.layers[i / 4][i % 4], 4 * column_normal + read_three) << i;
+            EXPECT_EQ(record.layers[i / 4][i % 4], 4 * column_shine + read_three) << i;
         EXPECT_EQ(record.layers[count / 4][static_cast<int>(count % 4)], -1) << "the background is the last";
     }
 }
@@ -35,9 +36,6 @@ TEST(LayerRecord, RefusesMore)
         EXPECT_EQ(record.samples.z, 0);
         EXPECT_EQ(record.layers[0], ivec4(0));
     }
-    PictureRecord record{};
-    const LayerSource unknown = {"weights", Layer::Kind::scalar, hit_u, Reading::one};
-    EXPECT_THROW(list_layers({&unknown, 1}, record), Error) << "the device does not keep it";
 }
 
 TEST(LayerRecord, HoldsThoseOfEveryModel)

@@ -29,7 +29,7 @@ using glm::vec3;
 // Points that look like those of pictures: normals that face the viewer, footprints of all sizes.
 class Maker {
 public:
-    Fragments fragments(std::size_t count, Model model)
+    Fragments fragments(std::size_t count)
     {
         Fragments f;
         f.resize(count);
@@ -40,30 +40,34 @@ public:
                 view = -view;
             if (glm::dot(view, normal) < 0.02f)
                 view = normal;
-            put(f, position_x, at, 2.0f * direction());
-            put(f, view_x, at, view);
-            put(f, shading_x, at, normal);
+            put(f, column_position, at, 2.0f * direction());
+            put(f, column_view, at, view);
+            put(f, column_shine, at, normal);
             const vec3 mirrored = 2.0f * glm::dot(normal, view) * normal - view;
-            put(f, mirrored_dx_x, at, footprint(mirrored));
-            put(f, mirrored_dy_x, at, footprint(mirrored));
-            put(f, base_r, at, {unit(), unit(), unit()});
-            put(f, specular_r, at, {unit(), unit(), unit()});
+            put(f, column_shine + 3, at, footprint(mirrored));
+            put(f, column_shine + 6, at, footprint(mirrored));
+            put(f, column_base_color, at, {unit(), unit(), unit()});
+            put(f, column_diffuse, at, {unit(), unit(), unit()});
+            put(f, column_specular, at, {unit(), unit(), unit()});
             const float roughness = unit();
-            f[gloss][at] = model == Model::phong ? std::pow(10.0f, -1.0f + 6.0f * unit())
-                                                 : std::max(roughness * roughness, 1e-4f);
-            f[metalness][at] = unit();
-            f[occlusion][at] = unit();
-            for (const Column c : {direct_r, irradiance_r, ambient_r, reflected_r})
-                put(f, c, at, vec3(0.0f));
+            f[column_exponent][at] = std::pow(10.0f, -1.0f + 6.0f * unit());
+            f[column_alpha][at] = std::max(roughness * roughness, 1e-4f);
+            f[column_metallic][at] = unit();
+            f[column_occlusion][at] = unit();
+            f[column_opacity][at] = 1.0f;
+            f[column_lit][at] = 1.0f;
+            put(f, column_emissive, at, vec3(0.0f));
+            for (int c = column_direct; c < columns_of_light_end; ++c)
+                f[c][at] = 0.0f;
         }
         return f;
     }
 
 private:
-    static void put(Fragments& f, Column first, std::size_t at, const vec3& v)
+    static void put(Fragments& f, int first, std::size_t at, const vec3& v)
     {
         for (int i = 0; i < 3; ++i)
-            f[Column(first + static_cast<std::size_t>(i))][at] = v[i];
+            f[first + i][at] = v[i];
     }
 
     float unit() { return std::uniform_real_distribution<float>(0.0f, 1.0f)(random_); }
@@ -124,22 +128,6 @@ struct Surroundings {
     }
 };
 
-struct ColumnRange {
-    Column here;
-    int there, count;
-};
-
-constexpr ColumnRange given[] = {
-    {position_x, gpu_layout::column_position, 3},       {view_x, gpu_layout::column_view, 3},
-    {shading_x, gpu_layout::column_normal, 3},          {mirrored_dx_x, gpu_layout::column_mirrored_dx, 3},
-    {mirrored_dy_x, gpu_layout::column_mirrored_dy, 3}, {base_r, gpu_layout::column_base, 3},
-    {specular_r, gpu_layout::column_specular, 3},       {gloss, gpu_layout::column_gloss, 1},
-    {metalness, gpu_layout::column_metalness, 1},       {occlusion, gpu_layout::column_occlusion, 1}};
-constexpr ColumnRange lit[] = {{direct_r, gpu_layout::column_direct, 3},
-                               {irradiance_r, gpu_layout::column_irradiance, 3},
-                               {ambient_r, gpu_layout::column_ambient, 3},
-                               {reflected_r, gpu_layout::column_reflected, 3}};
-
 // The passes of light over given fragments, as pictures run them over theirs.
 class LightOnDevice {
 public:
@@ -164,16 +152,11 @@ public:
         const std::size_t room = tile_.shape().capacity;
         std::vector<float> values(room * gpu_layout::column_count, 0.0f);
         const auto column = [&](int i) { return values.begin() + static_cast<std::ptrdiff_t>(room) * i; };
-        for (const ColumnRange& range : given)
-            for (int i = 0; i < range.count; ++i)
-                std::copy_n(fragments[Column(range.here + static_cast<std::size_t>(i))], fragments.size(),
-                            column(range.there + i));
-        std::fill_n(column(gpu_layout::column_lit), fragments.size(), 1.0f);
+        for (int i = 0; i < column_count; ++i)
+            std::copy_n(fragments[i], fragments.size(), column(i));
         run(values, static_cast<std::uint32_t>(fragments.size()));
-        for (const ColumnRange& range : lit)
-            for (int i = 0; i < range.count; ++i)
-                std::copy_n(column(range.there + i), fragments.size(),
-                            fragments[Column(range.here + static_cast<std::size_t>(i))]);
+        for (int i = column_direct; i < columns_of_light_end; ++i)
+            std::copy_n(column(i), fragments.size(), fragments[i]);
     }
 
 private:
@@ -216,14 +199,14 @@ struct Difference {
     double relative_rmse, mean;
 };
 
-Difference difference(const Fragments& found, const Fragments& wanted, Column first)
+Difference difference(const Fragments& found, const Fragments& wanted, int first)
 {
     double squares = 0.0, sum = 0.0;
     const double count = 3.0 * static_cast<double>(wanted.size());
-    for (std::size_t c = 0; c < 3; ++c)
+    for (int c = 0; c < 3; ++c)
         for (std::size_t at = 0; at < wanted.size(); ++at) {
-            const auto a = static_cast<double>(found[Column(first + c)][at]),
-                       b = static_cast<double>(wanted[Column(first + c)][at]);
+            const auto a = static_cast<double>(found[first + c][at]),
+                       b = static_cast<double>(wanted[first + c][at]);
             squares += (a - b) * (a - b);
             sum += b;
         }
@@ -245,15 +228,14 @@ protected:
     void expect_parity(const Surroundings& setup, double bound)
     {
         constexpr std::size_t count = 4096;
-        Fragments here = Maker().fragments(count, setup.context.model),
-                  there = Maker().fragments(count, setup.context.model);
+        Fragments here = Maker().fragments(count), there = Maker().fragments(count);
         light_directly(setup.context, setup.lights, 0, count, here);
         light_ambiently(setup.context, 0, count, here);
         light_specularly(setup.context, 0, count, here);
         LightOnDevice(compute_->device(), setup, count).light(there);
         for (const auto& [name, column] :
-             {std::pair("direct", direct_r), std::pair("irradiance", irradiance_r),
-              std::pair("ambient", ambient_r), std::pair("specular", reflected_r)}) {
+             {std::pair("direct", column_direct), std::pair("irradiance", column_irradiance),
+              std::pair("ambient", column_ambient), std::pair("specular", column_reflected)}) {
             const Difference d = difference(there, here, column);
             std::printf("%s %s: %.2e of %.3g\n", compute_->device_name().c_str(), name, d.relative_rmse,
                         d.mean);
@@ -308,10 +290,10 @@ TEST_F(LightParity, ManyLightsOfShortRange)
         setup.lights.push_back(light);
     }
     constexpr std::size_t count = 1000; // the last group is not full
-    Fragments here = Maker().fragments(count, Model::ggx), there = Maker().fragments(count, Model::ggx);
+    Fragments here = Maker().fragments(count), there = Maker().fragments(count);
     light_directly(setup.context, setup.lights, 0, 1008, here);
     LightOnDevice(compute_->device(), setup, count).light(there);
-    EXPECT_LE(difference(there, here, direct_r).relative_rmse, 1e-4);
+    EXPECT_LE(difference(there, here, column_direct).relative_rmse, 1e-4);
     EXPECT_EQ(compute_->complaints(), std::vector<std::string>());
 }
 
@@ -319,16 +301,16 @@ TEST_F(LightParity, WithoutAnEnvironmentOnlyLights)
 {
     Surroundings setup(testing::white_environment(), Model::ggx, MipLevel::matched, 4);
     setup.context.environment = nullptr;
-    Fragments here = Maker().fragments(128, Model::ggx), there = Maker().fragments(128, Model::ggx);
+    Fragments here = Maker().fragments(128), there = Maker().fragments(128);
     light_directly(setup.context, setup.lights, 0, 128, here);
     LightOnDevice stage(compute_->device(), setup, 1024);
     stage.light(there);
-    EXPECT_LE(difference(there, here, direct_r).relative_rmse, 1e-4);
-    EXPECT_EQ(there[reflected_r][0], 0.0f);
+    EXPECT_LE(difference(there, here, column_direct).relative_rmse, 1e-4);
+    EXPECT_EQ(there[column_reflected][0], 0.0f);
     // More fragments than before, in the same room.
-    Fragments more = Maker().fragments(1024, Model::ggx);
+    Fragments more = Maker().fragments(1024);
     stage.light(more);
-    EXPECT_EQ(more[direct_r][5], there[direct_r][5]);
+    EXPECT_EQ(more[column_direct][5], there[column_direct][5]);
     EXPECT_EQ(compute_->complaints(), std::vector<std::string>());
 }
 

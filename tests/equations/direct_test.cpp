@@ -9,8 +9,8 @@ namespace {
 // Each test takes some of it.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
-#include "shading/pixel.glsl"
-#include "shading/direct.glsl"
+#include "shading/surface/pixel.glsl"
+#include "shading/lobes/direct.glsl"
 #pragma GCC diagnostic pop
 
 } // namespace
@@ -22,8 +22,20 @@ namespace {
 using in_double::alpha_in_pixel;
 using in_double::Arrival;
 using in_double::arrival_from;
+using in_double::arrival_of;
 using in_double::ShinyPoint;
 using std::numbers::pi;
+
+TEST(Lights, FarAwayLightAllPointsAlike)
+{
+    const in_double::LocalLight light = {
+        vec3(1.0, 2.0, 5.0), vec3(27.0, 9.0, 3.0), vec3(0.0, 0.0, 1.0), 0.0, -2.0, -3.0};
+    const auto far = arrival_of(light, 0, vec3(7.0, 8.0, 9.0)),
+               near = arrival_of(light, 1, vec3(1.0, 2.0, 2.0));
+    EXPECT_EQ(far.illuminance.x, 27.0);
+    EXPECT_EQ(far.direction.z, -1.0);
+    EXPECT_NEAR(near.illuminance.x, 3.0, 1e-12) << "the inverse square of three metres";
+}
 
 // Mirrored directions 0.2 apart are of normals 0.1 apart: slopes in a box of variance 0.01 / 12 along one axis, half
 // of it as the mean of both. alpha^2 grows by twice that.

@@ -58,6 +58,6 @@ vec3 second_light(const Environment&, LightSum)
 // Each test takes some of it.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
-#include "shading/pixel.glsl"
-#include "shading/specular_ggx.glsl"
+#include "shading/surface/pixel.glsl"
+#include "shading/lobes/ggx_light.glsl"
 #pragma GCC diagnostic pop

@@ -106,8 +106,8 @@ vec3 second_light(const Environment&, LightSum sum)
 // Each test takes some of it.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
-#include "shading/ambient.glsl"
-#include "shading/pixel.glsl"
-#include "shading/specular_phong.glsl"
-#include "shading/pipeline_report.glsl"
+#include "shading/lobes/diffuse.glsl"
+#include "shading/surface/pixel.glsl"
+#include "shading/lobes/phong_light.glsl"
+#include "shading/lobes/pipeline_report.glsl"
 #pragma GCC diagnostic pop

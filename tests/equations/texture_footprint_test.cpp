@@ -8,7 +8,7 @@
 namespace lambent::in_double {
 namespace {
 
-#include "shading/texture.glsl"
+#include "shading/surface/texture.glsl"
 
 } // namespace
 } // namespace lambent::in_double

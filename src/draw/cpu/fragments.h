@@ -9,6 +9,17 @@
 
 namespace lambent::draw {
 
+/// Columns behind those of draw/columns.h: what is known from visibility.
+enum VisibilityColumn : int {
+    place_x = column_count,
+    place_y, ///< in the picture, pixels
+    hit_distance,
+    hit_u,
+    hit_v,
+    extent, ///< Look::extent
+    all_columns
+};
+
 /// Fragments in groups of one instance each; a group starts at a multiple of `group_alignment` and its last vector is
 /// filled up with fragments of weight 0, so that SIMD loops need no tail.
 class Fragments {
@@ -25,7 +36,7 @@ public:
     {
         if (count > capacity_) {
             capacity_ = count + count / 2;
-            values_.resize(capacity_ * column_count);
+            values_.resize(capacity_ * all_columns);
             pixel.resize(capacity_);
             weight.resize(capacity_);
             triangle.resize(capacity_);
@@ -34,8 +45,12 @@ public:
     }
     std::size_t size() const { return size_; }
 
-    float* operator[](Column column) { return values_.data() + column * capacity_; }
-    const float* operator[](Column column) const { return values_.data() + column * capacity_; }
+    float* operator[](int column) { return values_.data() + static_cast<std::size_t>(column) * capacity_; }
+    const float* operator[](int column) const
+    {
+        return values_.data() + static_cast<std::size_t>(column) * capacity_;
+    }
+    std::size_t capacity() const { return capacity_; } ///< floats from a column to the next
 
     std::vector<std::uint32_t> pixel;    ///< index in the tile
     std::vector<float> weight;           ///< share of the pixel, 0 to 1

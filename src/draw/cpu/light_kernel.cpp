@@ -19,8 +19,11 @@ namespace {
 #include "environment/chain/wide_cube.h"
 #include "environment/panorama/wide_panorama.h"
 
+#include "shading/numbers.glsl"
+
 // What the hooks of src/shading/README.md read.
 struct Environment {
+    const LightContext* context;
     CubeSums* sums;
     float scale;    // of the chain
     float variance; // of its level 1
@@ -31,7 +34,63 @@ struct Environment {
     int mip_levels;
     const SampleTables* tables;
     int samples;
+    float background_level;   // of blur; below 0: the panorama itself
+    float level_shares[2];    // of the two levels that it lies between
+    float level_variances[2]; // theirs
 };
+
+HWY_INLINE int model_of(const Environment& e)
+{
+    return e.context->model == Model::phong ? model_phong : model_ggx;
+}
+
+HWY_INLINE int levels_of(const Environment& e)
+{
+    if (e.context->pipeline)
+        return levels_pipeline;
+    return e.context->mip_level == MipLevel::report ? levels_report : levels_matched;
+}
+
+HWY_INLINE Real compensation_of(const Environment& e)
+{
+    return e.context->energy_compensation ? 1.0 : 0.0;
+}
+
+HWY_INLINE Real ambient_brightness(const Environment& e)
+{
+    return e.context->ambient_brightness;
+}
+
+HWY_INLINE ReportTone report_tone(const Environment& e)
+{
+    const ReportPowers& p = *e.context->pipeline;
+    return {p.decode, p.exposure, p.encode, p.back};
+}
+
+HWY_INLINE vec3 across_of(const Environment& e)
+{
+    return uniform(e.context->across);
+}
+
+// A direction of the world, in the environment's own frame.
+HWY_INLINE vec3 turned(const Environment& e, vec3 d)
+{
+    const Real cosine = e.context->rotation_cosine, sine = e.context->rotation_sine;
+    return vec3(cosine * d.x - sine * d.z, d.y, sine * d.x + cosine * d.z);
+}
+
+// The table's part of that number at whole coordinates.
+HWY_INLINE Real albedo_entry(Real column, Real row, int part)
+{
+    const Int index = hn::Add(hn::Mul(truncated(row), integer(albedo_table_size)), truncated(column));
+    return hn::GatherIndex(FloatTag(), albedo_table + part, hn::Add(index, index));
+}
+
+HWY_INLINE vec3 environment_irradiance(const Environment& e, vec3 d)
+{
+    const environment::IrradianceMap& map = e.context->environment->irradiance;
+    return Real(map.scale) * cube_bilinear({map.halfs(), map.log2_size, map.levels}, d, hn::Zero(IntTag()));
+}
 
 HWY_INLINE int sample_count(const Environment& e)
 {
@@ -78,9 +137,24 @@ HWY_INLINE vec3 lamp_light(const Environment& e, int i)
     return vec3(light[0], light[1], light[2]);
 }
 
+HWY_INLINE Real lamp_variance(const Environment& e, int i)
+{
+    return e.lamps->lamps[static_cast<size_t>(i)].variance;
+}
+
 HWY_INLINE vec2 lamp_variances(const Environment& e)
 {
     return vec2(e.lamp_variances[0], e.lamp_variances[1]);
+}
+
+HWY_INLINE Real highest_level(const Environment& e)
+{
+    return e.levels - 1;
+}
+
+HWY_INLINE Real highest_report_level(const Environment& e)
+{
+    return e.mip_levels - 1;
 }
 
 // The sums live in the environment; the text hands this around.
@@ -143,159 +217,72 @@ HWY_INLINE vec3 environment_report_texel(const Environment& e, vec3 d, Real leve
     return sum;
 }
 
+HWY_INLINE int background_of(const Environment& e)
+{
+    return e.background_level < 0.0f ? background_panorama : background_blurred;
+}
+
+HWY_INLINE vec3 environment_panorama(const Environment& e, vec3 d)
+{
+    const environment::Panorama& p = e.context->environment->panorama;
+    return Real(p.scale) * panorama_bilinear(view(p), equirectangular_from_direction(d));
+}
+
+HWY_INLINE vec3 environment_blurred(const Environment& e, vec3 d)
+{
+    const environment::CubeChain& chain = e.context->environment->chain;
+    return Real(chain.scale) *
+           cube_trilinear({chain.halfs(), chain.log2_size, chain.levels}, d, e.background_level);
+}
+
+HWY_INLINE int is_without_lamps(const Environment& e, int level)
+{
+    return e.level_shares[level] > 0.0f;
+}
+
+HWY_INLINE Real share_of_level(const Environment& e, int level)
+{
+    return e.level_shares[level];
+}
+
+HWY_INLINE Real variance_of_level(const Environment& e, int level)
+{
+    return e.level_variances[level];
+}
+
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function" // surfaces are found elsewhere
 #include "shading/all.glsl"
+#include "shading/light_passes.glsl"
 #pragma GCC diagnostic pop
 
-// A direction of the world, in the environment's own frame.
-vec3 turned(const LightContext& c, vec3 d)
-{
-    const Real cosine = c.rotation_cosine, sine = c.rotation_sine;
-    return vec3(cosine * d.x - sine * d.z, d.y, sine * d.x + cosine * d.z);
-}
+static_assert(albedo_points == albedo_table_size);
 
-// The two parts of the directional albedo of GGX, between the table's points.
-vec2 albedo_of(Real NV, Real alpha)
+// Where a background's level lies between two, and what of each is read that is without lamps.
+void place_background(const environment::Environment& from, float level, Environment& e)
 {
-    constexpr int n = albedo_table_size;
-    const Real x = sqrt(clamp(NV, 0.0, 1.0)) * (n - 1),
-               y = sqrt(sqrt(clamp(alpha * alpha, 0.0, 1.0))) * (n - 1);
-    const Real x0 = min(floor(x), n - 2), y0 = min(floor(y), n - 2);
-    const Int index = hn::Mul(hn::Add(hn::Mul(truncated(y0), integer(n)), truncated(x0)), integer(2));
-    const float* table = albedo_table;
-    const auto at = [&](int offset)
-                        HWY_ATTR -> Real { return hn::GatherIndex(FloatTag(), table + offset, index); };
-    const Real fx = x - x0, fy = y - y0;
-    return vec2(mix(mix(at(0), at(2), fx), mix(at(2 * n), at(2 * n + 2), fx), fy),
-                mix(mix(at(1), at(3), fx), mix(at(2 * n + 1), at(2 * n + 3), fx), fy));
-}
-
-Metallic metallic_at(const LightContext& c, const Fragments& f, size_t at)
-{
-    Metallic m = {load3(f, base_r, at), load(f[metalness] + at), load(f[gloss] + at),
-                  c.energy_compensation ? 1.0 : 0.0};
-    return m;
-}
-
-Phong phong_at(const Fragments& f, size_t at)
-{
-    Phong p = {load3(f, base_r, at), load3(f, specular_r, at), load(f[gloss] + at)};
-    return p;
-}
-
-Arrival arrival_at(const LightSource& light, vec3 point)
-{
-    if (!light.local)
-        return {-uniform(light.axis), uniform(light.intensity)};
-    const LocalLight local = {uniform(light.position), uniform(light.intensity), uniform(light.axis),
-                              1.0f / light.range,      light.cos_inner,          light.cos_outer};
-    return arrival_from(local, point);
-}
-
-void add_direct(const LightContext& c, std::span<const LightSource> lights, size_t at, Fragments& f)
-{
-    const ShinyPoint s = {load3(f, shading_x, at), load3(f, view_x, at), load3(f, mirrored_dx_x, at),
-                          load3(f, mirrored_dy_x, at)};
-    const vec3 point = load3(f, position_x, at);
-    vec3 sum = load3(f, direct_r, at);
-    if (c.model == Model::phong) {
-        const Phong p = phong_at(f, at);
-        for (const LightSource& light : lights)
-            sum += c.pipeline ? direct_phong(p, s.normal, s.view, arrival_at(light, point))
-                              : direct_phong_in_pixel(p, s, arrival_at(light, point));
-    } else {
-        const Metallic m = metallic_at(c, f, at);
-        const vec2 albedo = albedo_of(dot(s.normal, s.view), m.alpha);
-        for (const LightSource& light : lights)
-            sum += direct_metallic_in_pixel(m, albedo, s, arrival_at(light, point));
+    e.background_level = level;
+    const float clamped = std::min(level, static_cast<float>(e.levels - 1)), fine = std::floor(clamped);
+    const float shares[] = {1.0f - (clamped - fine), clamped - fine};
+    for (int i = 0; i < 2; ++i) {
+        const int whole = static_cast<int>(fine) + i;
+        e.level_shares[i] = level >= 0.0f && whole > e.lamps->last_level ? shares[i] : 0.0f;
+        e.level_variances[i] =
+            e.level_shares[i] > 0.0f ? environment::level_variance(from.chain, whole) : 0.0f;
     }
-    store3(sum, f, direct_r, at);
 }
 
-ReportTone report_tone(const LightContext& c)
+Environment environment_of(const LightContext& c, CubeSums* sums)
 {
-    const ReportPowers& p = *c.pipeline;
-    return {p.decode, p.exposure, p.encode, p.back};
-}
-
-void add_ambient(const LightContext& c, size_t at, Fragments& f)
-{
-    const environment::IrradianceMap& map = c.environment->irradiance;
-    const CubeView cube{map.halfs(), map.log2_size, map.levels};
-    const vec3 N = load3(f, shading_x, at);
-    const vec3 irradiance = Real(map.scale) * cube_bilinear(cube, turned(c, N), hn::Zero(IntTag()));
-    vec3 diffuse = load3(f, base_r, at);
-    if (c.model == Model::ggx) {
-        const Metallic m = metallic_at(c, f, at);
-        diffuse = reflectance_metallic(m, albedo_of(dot(N, load3(f, view_x, at)), m.alpha)).diffuse;
-    }
-    const Real brightness = Real(c.ambient_brightness) * load(f[occlusion] + at);
-    store3(irradiance, f, irradiance_r, at);
-    store3(c.pipeline ? ambient_report(report_tone(c), diffuse, irradiance, brightness)
-                      : ambient_light(diffuse, irradiance, brightness),
-           f, ambient_r, at);
-}
-
-// In the environment's own frame.
-ShinyPoint shiny_at(const LightContext& c, const Fragments& f, size_t at)
-{
-    return {turned(c, load3(f, shading_x, at)), turned(c, load3(f, view_x, at)),
-            turned(c, load3(f, mirrored_dx_x, at)), turned(c, load3(f, mirrored_dy_x, at))};
-}
-
-Mirror mirror_at(const LightContext& c, const Fragments& f, size_t at)
-{
-    const ShinyPoint s = shiny_at(c, f, at);
-    const Real alpha = load(f[gloss] + at);
-    return {s, turned(c, uniform(c.across)), alpha, albedo_of(dot(s.normal, s.view), alpha)};
-}
-
-void add_specular_phong(const LightContext& c, const Environment& e, size_t at, Fragments& f)
-{
-    const ShinyPoint s = shiny_at(c, f, at);
-    const vec3 across = turned(c, uniform(c.across));
-    const Phong p = phong_at(f, at);
-    store3(c.pipeline ? specular_pipeline_report(e, report_tone(c), p, s.normal, s.view, across)
-           : c.mip_level == MipLevel::report ? specular_phong_report(e, p, s.normal, s.view, across)
-                                             : specular_phong(e, p, s, across),
-           f, reflected_r, at);
-}
-
-void add_specular_ggx(const LightContext& c, const Environment& e, size_t at, Fragments& f)
-{
-    const Mirror mirror = mirror_at(c, f, at);
-    const LobeLight light = specular_ggx(e, mirror);
-    const Reflectance r = reflectance_metallic(metallic_at(c, f, at), mirror.albedo);
-    store3(r.plain * light.plain + r.grazing * light.grazing, f, reflected_r, at);
-}
-
-void add_specular(const LightContext& c, const Environment& e, size_t at, Fragments& f)
-{
-    if (c.model == Model::phong)
-        add_specular_phong(c, e, at, f);
-    else
-        add_specular_ggx(c, e, at, f);
-}
-
-// What these read in the lobe's middle, as a part of the levels that there are.
-void find_middle_level(const LightContext& c, const Environment& e, size_t at, Fragments& f)
-{
-    const Real exponent = load(f[gloss] + at);
-    const bool report = c.model == Model::phong && c.mip_level == MipLevel::report;
-    const Real level = c.model == Model::ggx ? middle_level_ggx(e, mirror_at(c, f, at))
-                       : c.pipeline          ? middle_level_pipeline(e, exponent)
-                       : report              ? middle_level_report(e, exponent)
-                                             : middle_level_phong(e, shiny_at(c, f, at), exponent);
-    store(part_of_levels(level, Real((report ? e.mip_levels : e.levels) - 1)), f[middle_level] + at);
-}
-
-Environment environment_of(const LightContext& c, CubeSums& sums)
-{
+    Environment e{};
+    e.context = &c;
+    e.sums = sums;
+    e.tables = c.tables;
+    e.samples = static_cast<int>(c.tables->cap.size());
+    if (!c.environment)
+        return e;
     const environment::CubeChain& chain = c.environment->chain;
     const float deviation = environment::level_one_deviation(chain);
-    Environment e{};
-    e.sums = &sums;
     e.scale = chain.scale;
     e.variance = deviation * deviation;
     e.levels = chain.levels;
@@ -304,30 +291,14 @@ Environment environment_of(const LightContext& c, CubeSums& sums)
         e.lamp_variances[i] = environment::level_variance(chain, e.lamps->last_level + i);
     e.mips = c.mip_chain ? c.mip_chain->data() : nullptr;
     e.mip_levels = c.mip_chain ? static_cast<int>(c.mip_chain->size()) : 0;
-    e.tables = c.tables;
-    e.samples = static_cast<int>(c.tables->cap.size());
     return e;
 }
 
-// The lamps through a level's blur, between levels as cube_trilinear, to the extent that the levels are without them.
-vec3 lamps_blurred(const environment::Environment& e, vec3 d, float level)
+Arrival arrival_at(const LightSource& light, vec3 point)
 {
-    const environment::Lamps& lamps = e.lamps;
-    const float clamped = std::min(level, static_cast<float>(e.chain.levels - 1)), fine = std::floor(clamped);
-    const float shares[] = {1.0f - (clamped - fine), clamped - fine};
-    vec3 sum(0.0);
-    for (int i = 0; i < 2; ++i) {
-        const int whole = static_cast<int>(fine) + i;
-        if (whole <= lamps.last_level || shares[i] <= 0.0f)
-            continue;
-        for (const environment::Lamp& lamp : lamps.lamps) {
-            const vec3 off = d - vec3(lamp.direction[0], lamp.direction[1], lamp.direction[2]);
-            const Real density = gaussian_on_sphere(
-                dot(off, off), environment::level_variance(e.chain, whole) + lamp.variance);
-            sum += (shares[i] * density) * vec3(lamp.light[0], lamp.light[1], lamp.light[2]);
-        }
-    }
-    return sum;
+    return arrival_of({uniform(light.position), uniform(light.intensity), uniform(light.axis),
+                       1.0f / light.range, light.cos_inner, light.cos_outer},
+                      light.local, point);
 }
 
 } // namespace
@@ -335,44 +306,45 @@ vec3 lamps_blurred(const environment::Environment& e, vec3 d, float level)
 HWY_FLATTEN void light_directly(const LightContext& context, std::span<const LightSource> lights,
                                 size_t begin, size_t end, Fragments& fragments)
 {
-    for (size_t at = begin; at < end; at += lane_count)
-        add_direct(context, lights, at, fragments);
+    const Environment e = environment_of(context, nullptr);
+    for (size_t at = begin; at < end; at += lane_count) {
+        const Fragment f = fragment(fragments, at);
+        const Receiver receiver = receiver_at(f);
+        vec3 sum(0.0);
+        for (const LightSource& light : lights)
+            sum += direct_light(e, receiver, arrival_at(light, receiver.point));
+        store3(f, column_direct, sum);
+    }
 }
 
 HWY_FLATTEN void light_ambiently(const LightContext& context, size_t begin, size_t end, Fragments& fragments)
 {
+    const Environment e = environment_of(context, nullptr);
     for (size_t at = begin; at < end; at += lane_count)
-        add_ambient(context, at, fragments);
+        add_ambient(e, fragment(fragments, at));
 }
 
 HWY_FLATTEN void light_specularly(const LightContext& context, size_t begin, size_t end, Fragments& fragments)
 {
     const environment::CubeChain& chain = context.environment->chain;
     CubeSums sums({chain.halfs(), chain.log2_size, chain.levels});
-    const Environment environment = environment_of(context, sums);
+    const Environment e = environment_of(context, &sums);
     for (size_t at = begin; at < end; at += lane_count)
-        add_specular(context, environment, at, fragments);
+        add_specular(e, fragment(fragments, at));
     if (context.middle_level)
         for (size_t at = begin; at < end; at += lane_count)
-            find_middle_level(context, environment, at, fragments);
+            store(fragment(fragments, at), column_middle_level, middle_level(e, fragment(fragments, at)));
 }
 
 HWY_FLATTEN void light_background(const LightContext& context, const RayMap& rays, const BackgroundRow& row,
                                   float* const rgb[3])
 {
-    const environment::Environment& e = *context.environment;
-    const CubeView chain{e.chain.halfs(), e.chain.log2_size, e.chain.levels};
-    const PanoramaView picture = view(e.panorama);
+    Environment e = environment_of(context, nullptr);
+    place_background(*context.environment, row.level, e);
     const vec3 start = uniform(rays.direction) + Real(row.y) * uniform(rays.direction_dy);
     for (int x = 0; x < row.count; x += static_cast<int>(lane_count)) {
         const Real place = Real(hn::Iota(FloatTag(), static_cast<float>(row.first_x + x))) + 0.5;
-        const vec3 d = turned(context, normalize(start + place * uniform(rays.direction_dx)));
-        vec3 c =
-            row.level < 0.0f
-                ? Real(e.panorama.scale) * panorama_bilinear(picture, equirectangular_from_direction(d))
-                : Real(e.chain.scale) * cube_trilinear(chain, d, row.level) + lamps_blurred(e, d, row.level);
-        if (context.pipeline)
-            c = toned_report(report_tone(context), c);
+        const vec3 c = background_light(e, normalize(start + place * uniform(rays.direction_dx)));
         store(c.x, rgb[0] + x);
         store(c.y, rgb[1] + x);
         store(c.z, rgb[2] + x);

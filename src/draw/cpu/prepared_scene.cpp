@@ -8,11 +8,10 @@
 namespace lambent::draw {
 
 TexcoordChoice::TexcoordChoice(const scene::Mesh& mesh, const scene::Material& material)
-    : base_color(add(mesh, material.base_color_texture)),
-      metallic_roughness(add(mesh, material.metallic_roughness_texture)),
-      normal(add(mesh, material.normal_texture)), occlusion(add(mesh, material.occlusion_texture)),
-      emissive(add(mesh, material.emissive_texture))
 {
+    for_each_texture(material, [&](int number, const scene::TextureUse& use, scene::TextureCodes) {
+        of[static_cast<std::size_t>(number)] = add(mesh, use);
+    });
 }
 
 int TexcoordChoice::add(const scene::Mesh& mesh, const scene::TextureUse& use)
@@ -50,6 +49,11 @@ void PreparedScene::pose(const scene::Scene& posed)
         context.handedness = glm::determinant(linear) < 0.0f ? -1.0f : 1.0f;
         context.textures = textures_.of(static_cast<std::size_t>(material));
         context.texcoords = TexcoordChoice(mesh, *context.material);
+        for_each_texture(*context.material,
+                         [&](int number, const scene::TextureUse& use, scene::TextureCodes) {
+                             context.uses[static_cast<std::size_t>(number)] = &use;
+                         });
+        context.normal_scales = normal_scales_of(*context.material);
         surfaces_.push_back(context);
     }
 }

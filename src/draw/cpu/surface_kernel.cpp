@@ -13,12 +13,12 @@ namespace lambent::draw::HWY_NAMESPACE {
 namespace {
 
 #include "wide/wide.h"
-#include "draw/cpu/wide_fragments.h"
-#include "shading/texture.glsl"
+#include "shading/numbers.glsl"
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function" // triangles are met by Embree
-#include "shading/surface.glsl"
+#include "shading/points.glsl"
 #pragma GCC diagnostic pop
+#include "draw/cpu/wide_fragments.h"
 #include "draw/cpu/wide_texture.h"
 
 mat3 uniform(const glm::mat3& m)
@@ -28,14 +28,14 @@ mat3 uniform(const glm::mat3& m)
 
 // One attribute at the three corners of each lane's triangle.
 template <int components>
-struct Corners {
+struct LaneCorners {
     alignas(64) float values[3][components][max_lanes];
 };
 
 // Reads an attribute array of the mesh: `components` floats per vertex.
 template <int components, class Attribute>
 void gather(const SurfaceContext& c, const std::vector<Attribute>& attribute, const uint32_t* triangles,
-            Corners<components>& corners)
+            LaneCorners<components>& corners)
 {
     for (size_t lane = 0; lane < lane_count; ++lane) {
         const glm::uvec3 triangle = c.mesh->triangles[triangles[lane]];
@@ -48,34 +48,43 @@ void gather(const SurfaceContext& c, const std::vector<Attribute>& attribute, co
 }
 
 template <int components>
-vec3 corner3(const Corners<components>& corners, int corner)
+vec3 corner3(const LaneCorners<components>& corners, int corner)
 {
     return vec3(load(corners.values[corner][0]), load(corners.values[corner][1]),
                 load(corners.values[corner][2]));
 }
 
 template <int components>
-Real interpolate(const Corners<components>& corners, int i, const Barycentric& at)
+Real interpolate(const LaneCorners<components>& corners, int i, const Barycentric& at)
 {
     return at.a * load(corners.values[0][i]) + at.b * load(corners.values[1][i]) +
            at.c * load(corners.values[2][i]);
 }
 
-template <int components>
-vec3 interpolate3(const Corners<components>& corners, const Barycentric& at)
+// The hooks of src/shading/README.md that find surfaces: fragments of one instance.
+struct Source {
+    const SurfaceContext* context;
+    Fragment fragment;
+    const uint32_t* triangles; // of the mesh, by lanes
+};
+
+template <int components, class Attribute>
+LaneCorners<components> corners_of(const Source& s, const std::vector<Attribute>& attribute)
 {
-    return vec3(interpolate(corners, 0, at), interpolate(corners, 1, at), interpolate(corners, 2, at));
+    LaneCorners<components> corners;
+    gather(*s.context, attribute, s.triangles, corners);
+    return corners;
 }
 
-// The rate of change of an interpolated vector when the weights change by (b, c).
-template <int components>
-vec3 change(const Corners<components>& corners, Real b, Real c)
+HWY_INLINE int model_of(const Source& s)
 {
-    return b * (corner3(corners, 1) - corner3(corners, 0)) + c * (corner3(corners, 2) - corner3(corners, 0));
+    return s.context->model == Model::phong ? model_phong : model_ggx;
 }
 
-SightRay sight_through(const RayMap& rays, Real x, Real y)
+HWY_INLINE SightRay sight_of(const Source& s)
 {
+    const RayMap& rays = s.context->rays;
+    const Real x = load(s.fragment, place_x), y = load(s.fragment, place_y);
     return {uniform(rays.origin) + x * uniform(rays.origin_dx) + y * uniform(rays.origin_dy),
             uniform(rays.origin_dx),
             uniform(rays.origin_dy),
@@ -84,32 +93,51 @@ SightRay sight_through(const RayMap& rays, Real x, Real y)
             uniform(rays.direction_dy)};
 }
 
-Facet seen_facet(const SurfaceContext& c, const Fragments& f, size_t at, const SightRay& sight)
+HWY_INLINE Triangle triangle_of(const Source& s)
 {
-    Corners<3> corners;
-    gather(c, c.mesh->positions, f.triangle.data() + at, corners);
+    const SurfaceContext& c = *s.context;
+    const LaneCorners<3> corners = corners_of<3>(s, c.mesh->positions);
     const mat3 linear = uniform(glm::mat3(c.transform));
-    const Triangle triangle = {linear * corner3(corners, 0) + uniform(glm::vec3(c.transform[3])),
-                               linear * (corner3(corners, 1) - corner3(corners, 0)),
-                               linear * (corner3(corners, 2) - corner3(corners, 0))};
-    const Meeting meeting = {load(f[hit_distance] + at), load(f[hit_u] + at), load(f[hit_v] + at)};
-    return facet_at(sight, triangle, meeting);
+    return {linear * corner3(corners, 0) + uniform(glm::vec3(c.transform[3])),
+            linear * (corner3(corners, 1) - corner3(corners, 0)),
+            linear * (corner3(corners, 2) - corner3(corners, 0))};
 }
 
-Turning shading_normal(const SurfaceContext& c, const Fragments& f, size_t at, const Barycentric& weights)
+// Embree's.
+HWY_INLINE Meeting meeting_of(const Source& s, const SightRay&, const Triangle&)
 {
-    Corners<3> corners;
-    gather(c, c.mesh->normals, f.triangle.data() + at, corners);
-    const mat3 to_world = uniform(c.normals);
-    return turning_of(to_world * interpolate3(corners, weights),
-                      to_world * change(corners, weights.b_dx, weights.c_dx),
-                      to_world * change(corners, weights.b_dy, weights.c_dy));
+    return {load(s.fragment, hit_distance), load(s.fragment, hit_u), load(s.fragment, hit_v)};
 }
 
-TexturePoint texture_point(const scene::TextureUse& use, const Corners<2>& corners, const Barycentric& at)
+HWY_INLINE Corners corner_normals(const Source& s)
+{
+    const LaneCorners<3> corners = corners_of<3>(s, s.context->mesh->normals);
+    return {corner3(corners, 0), corner3(corners, 1), corner3(corners, 2)};
+}
+
+HWY_INLINE mat3 normals_to_world(const Source& s)
+{
+    return uniform(s.context->normals);
+}
+
+HWY_INLINE Real handedness(const Source& s)
+{
+    return s.context->handedness;
+}
+
+HWY_INLINE Texel vertex_color(const Source& s, const Barycentric& at)
+{
+    if (s.context->mesh->colors.empty())
+        return {1.0, 1.0, 1.0, 1.0};
+    const LaneCorners<4> corners = corners_of<4>(s, s.context->mesh->colors);
+    return {interpolate(corners, 0, at), interpolate(corners, 1, at), interpolate(corners, 2, at),
+            interpolate(corners, 3, at)};
+}
+
+TexturePoint texture_point(const scene::TextureUse& use, const LaneCorners<2>& corners, const Barycentric& at)
 {
     const glm::mat3& m = use.transform;
-    const auto coordinate = [](const Corners<2>& from, int corner) HWY_ATTR {
+    const auto coordinate = [](const LaneCorners<2>& from, int corner) HWY_ATTR {
         return vec2(load(from.values[corner][0]), load(from.values[corner][1]));
     };
     const vec2 first = coordinate(corners, 0);
@@ -120,145 +148,142 @@ TexturePoint texture_point(const scene::TextureUse& use, const Corners<2>& corne
             turned(at.b_dy * b + at.c_dy * d)};
 }
 
-// All that textures of one vector of fragments need.
-struct Texturing {
-    Barycentric at;
-    Corners<2> sets[5]; // as TexcoordChoice has them
-
-    Texturing(const SurfaceContext& c, const Fragments& f, size_t first, const Barycentric& weights)
-        : at(weights)
+// Reads a material's textures at one vector of fragments; each set of coordinates is gathered once.
+class TextureReader {
+public:
+    TextureReader(const Source& s, const Barycentric& at) : context_(*s.context), at_(at)
     {
-        for (int i = 0; i < c.texcoords.count; ++i) {
-            const std::vector<glm::vec2>& set = *c.texcoords.sets[static_cast<size_t>(i)];
+        for (int i = 0; i < context_.texcoords.count; ++i) {
+            const std::vector<glm::vec2>& set = *context_.texcoords.sets[static_cast<size_t>(i)];
             if (!set.empty())
-                gather(c, set, f.triangle.data() + first, sets[i]);
+                gather(context_, set, s.triangles, sets_[i]);
             else
-                memset(&sets[i], 0, sizeof sets[i]);
+                memset(&sets_[i], 0, sizeof sets_[i]);
         }
     }
 
-    Color read(const PackedTexture* texture, const scene::TextureUse& use, int set, double otherwise,
-               const MaskCut* mask = nullptr) const
+    Texel read(size_t number, const MaskCut* mask = nullptr) const
     {
+        const PackedTexture* const texture = context_.textures[number];
         if (!texture)
-            return {otherwise, otherwise, otherwise, otherwise};
-        return read_texture(*texture, texture_point(use, sets[set], at), mask);
+            return {1.0, 1.0, 1.0, 1.0};
+        return read_texture(
+            *texture, texture_point(*context_.uses[number], sets_[context_.texcoords.of[number]], at_), mask);
     }
+
+    // Of masks, alpha is the share that is there.
+    Texel read_base_color(const Texel& vertex) const
+    {
+        const scene::Material& m = *context_.material;
+        if (m.alpha_mode != scene::AlphaMode::mask)
+            return read(texture_base_color);
+        MaskCut mask;
+        store(vertex.a, mask.vertex);
+        mask.factor = m.base_color.a, mask.cutoff = m.alpha_cutoff;
+        Texel texel = read(texture_base_color, &mask);
+        if (!context_.textures[texture_base_color])
+            texel.a = select(vertex.a * Real(m.base_color.a) < Real(m.alpha_cutoff), 0.0, 1.0);
+        return texel;
+    }
+
+private:
+    const SurfaceContext& context_;
+    Barycentric at_;
+    LaneCorners<2> sets_[texture_count]; // as TexcoordChoice has them
 };
 
-// The normal with its map, if there is one.
-vec3 bumped(const SurfaceContext& c, const Fragments& f, size_t at, const Texturing& t, vec3 normal)
+Texels texels_of(const Source& s, const Barycentric& at, const Texel& vertex)
 {
-    if (!c.textures.normal || c.mesh->tangents.empty())
-        return normal;
-    Corners<4> corners;
-    gather(c, c.mesh->tangents, f.triangle.data() + at, corners);
-    const vec3 along = uniform(glm::mat3(c.transform)) * interpolate3(corners, t.at);
-    const Color code = t.read(c.textures.normal, c.material->normal_texture, c.texcoords.normal, 0.0);
-    return mapped_normal(normal, along, Real(c.handedness) * load(corners.values[0][3]),
-                         vec3(code.r, code.g, code.b), c.material->normal_scale);
+    const TextureReader reader(s, at);
+    const auto read = [&](size_t number) HWY_ATTR {
+        return number == texture_base_color ? reader.read_base_color(vertex) : reader.read(number);
+    };
+    return {
+#define TEXTURE(name, number, transfer, object, key) read(number),
+#define NORMAL_TEXTURE(name, number, object, key) read(number),
+#include "shading/material/textures.h"
+    };
 }
 
-struct Material {
-    Color base;
-    Real metalness, roughness, occlusion;
-    vec3 emitted;
-};
-
-// The base colour without the factor on its colour. Of masks, alpha is 1 where they are there, and where texels are smaller
-// than pixels the share of them that is.
-Color varying_color(const SurfaceContext& c, const Fragments& f, size_t at, const Texturing& t)
+Material factors_of(const Source& s)
 {
-    const scene::Material& m = *c.material;
-    Color vertex = {1.0, 1.0, 1.0, 1.0};
-    if (!c.mesh->colors.empty()) {
-        Corners<4> corners;
-        gather(c, c.mesh->colors, f.triangle.data() + at, corners);
-        vertex = {interpolate(corners, 0, t.at), interpolate(corners, 1, t.at), interpolate(corners, 2, t.at),
-                  interpolate(corners, 3, t.at)};
-    }
-    const bool is_mask = m.alpha_mode == scene::AlphaMode::mask;
-    MaskCut mask;
-    store(vertex.a, mask.vertex);
-    mask.factor = m.base_color.a, mask.cutoff = m.alpha_cutoff;
-    const Color texel = t.read(c.textures.base_color, m.base_color_texture, c.texcoords.base_color, 1.0,
-                               is_mask ? &mask : nullptr);
-    Color color = {texel.r * vertex.r, texel.g * vertex.g, texel.b * vertex.b, texel.a};
-    if (!is_mask)
-        color.a = texel.a * vertex.a * Real(m.base_color.a);
-    else if (!c.textures.base_color)
-        color.a = select(vertex.a * Real(m.base_color.a) < Real(m.alpha_cutoff), 0.0, 1.0);
-    return color;
+    const scene::Material& m = *s.context->material;
+    return {
+#define COLOR_AND_ALPHA(name, alpha, number, value, object, key, texture)                                    \
+    uniform(glm::vec3(m.name)), Real(m.name.a),
+#define COLOR(name, number, value, object, key, texture) uniform(m.name),
+#define SCALAR(name, number, value, object, key, texture, channel) Real(m.name),
+#define ROUGHNESS(name, factor, number, value, object, key, texture, channel) Real(m.factor),
+#define STRENGTH(name, factor, number, value, object, key, texture, channel) Real(m.factor),
+#include "shading/material/parameters.h"
+    };
 }
 
-Material material_at(const SurfaceContext& c, const Fragments& f, size_t at, const Texturing& t)
+HWY_INLINE int alpha_mode(const Source& s)
 {
-    const scene::Material& m = *c.material;
-    Color base = varying_color(c, f, at, t);
-    base.r *= Real(m.base_color.r);
-    base.g *= Real(m.base_color.g);
-    base.b *= Real(m.base_color.b);
-    const Color rough = t.read(c.textures.metallic_roughness, m.metallic_roughness_texture,
-                               c.texcoords.metallic_roughness, 1.0);
-    const Color occlusion = t.read(c.textures.occlusion, m.occlusion_texture, c.texcoords.occlusion, 1.0);
-    const Color emitted = t.read(c.textures.emissive, m.emissive_texture, c.texcoords.emissive, 1.0);
-    return {base, clamp(rough.b * Real(m.metallic), 0.0, 1.0),
-            c.roughness ? Real(*c.roughness) : clamp(rough.g * Real(m.perceptual_roughness), 0.0, 1.0),
-            1.0 + Real(m.occlusion_strength) * (occlusion.r - 1.0),
-            uniform(m.emissive) * vec3(emitted.r, emitted.g, emitted.b)};
+    return static_cast<int>(s.context->material->alpha_mode);
 }
 
-// The report's parameters where they are given.
-void store_phong(const SurfaceContext& c, const Material& m, size_t at, Fragments& f)
+HWY_INLINE Real own_or_given_alpha(const Source& s, Real own)
 {
-    const scene::PhongMaterial& given = c.material->phong;
-    const Phong p = phong_from_metallic(vec3(m.base.r, m.base.g, m.base.b), m.metalness, m.roughness);
-    store3(given.diffuse ? uniform(*given.diffuse) : p.diffuse, f, base_r, at);
-    store3(given.specular ? uniform(*given.specular) : p.specular, f, specular_r, at);
-    store(given.exponent ? Real(*given.exponent) : p.exponent, f[gloss] + at);
+    return s.context->roughness ? alpha_of_roughness(*s.context->roughness) : own;
 }
 
-void store_material(const SurfaceContext& c, const Material& m, size_t at, Fragments& f)
+HWY_INLINE int is_unlit(const Source& s)
 {
-    const scene::Material& material = *c.material;
-    const vec3 base(m.base.r, m.base.g, m.base.b);
-    store(m.metalness, f[metalness] + at);
-    store(m.occlusion, f[occlusion] + at);
-    store(material.alpha_mode == scene::AlphaMode::opaque ? Real(1.0) : m.base.a, f[opacity] + at);
-    if (c.model == Model::phong) {
-        store_phong(c, m, at, f);
-    } else {
-        store3(base, f, base_r, at);
-        store3(base_reflectance(base, m.metalness), f, specular_r, at);
-        store(alpha_of_roughness(m.roughness), f[gloss] + at);
-    }
-    store3(material.unlit ? base : m.emitted, f, emitted_r, at);
+    return s.context->material->unlit ? 1 : 0;
 }
 
-void find_surface(const SurfaceContext& c, size_t at, Fragments& f)
+HWY_INLINE int has_normal_map(const Source& s, int texture)
 {
-    const SightRay sight = sight_through(c.rays, load(f[place_x] + at), load(f[place_y] + at));
-    const Facet facet = seen_facet(c, f, at, sight);
-    const Texturing texturing(c, f, at, facet.at);
-    const Turning turning = shading_normal(c, f, at, facet.at);
-    const Surface surface =
-        surface_at(sight, facet, turning, bumped(c, f, at, texturing, turning.normal), c.handedness);
-    const Real part = load(f[extent] + at);
-    store3(facet.position, f, position_x, at);
-    store(surface.depth, f[depth] + at);
-    store3(surface.view, f, view_x, at);
-    store3(surface.normal, f, shading_x, at);
-    store3(part * surface.mirrored_dx, f, mirrored_dx_x, at);
-    store3(part * surface.mirrored_dy, f, mirrored_dy_x, at);
-    store_material(c, material_at(c, f, at, texturing), at, f);
+    return s.context->textures[static_cast<size_t>(texture)] && !s.context->mesh->tangents.empty() ? 1 : 0;
 }
+
+HWY_INLINE Real normal_scale(const Source& s, int texture)
+{
+    return s.context->normal_scales[static_cast<size_t>(texture)];
+}
+
+vec3 tangent_at(const Source& s, const Barycentric& at)
+{
+    const LaneCorners<4> corners = corners_of<4>(s, s.context->mesh->tangents);
+    return uniform(glm::mat3(s.context->transform)) *
+           vec3(interpolate(corners, 0, at), interpolate(corners, 1, at), interpolate(corners, 2, at));
+}
+
+// The sign of the first corner's bitangent, turned where the transform mirrors.
+HWY_INLINE Real tangent_side(const Source& s)
+{
+    const LaneCorners<4> corners = corners_of<4>(s, s.context->mesh->tangents);
+    return Real(s.context->handedness) * load(corners.values[0][3]);
+}
+
+HWY_INLINE GivenPhong given_phong(const Source& s)
+{
+    const scene::PhongMaterial& g = s.context->material->phong;
+    const auto share = [](bool is_given) HWY_ATTR -> Real { return is_given ? 1.0 : 0.0; };
+    return {uniform(g.diffuse.value_or(glm::vec3(0.0f))), uniform(g.specular.value_or(glm::vec3(0.0f))),
+            g.exponent.value_or(0.0f),
+            vec3(share(g.diffuse.has_value()), share(g.specular.has_value()), share(g.exponent.has_value()))};
+}
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function" // light is elsewhere
+#include "shading/surface_pass.glsl"
+#pragma GCC diagnostic pop
+
+static_assert(static_cast<int>(scene::AlphaMode::opaque) == alpha_opaque &&
+              static_cast<int>(scene::AlphaMode::mask) == alpha_mask &&
+              static_cast<int>(scene::AlphaMode::blend) == alpha_blend);
 
 } // namespace
 
 HWY_FLATTEN void find_surfaces(const SurfaceContext& context, size_t begin, size_t end, Fragments& fragments)
 {
-    for (size_t at = begin; at < end; at += lane_count)
-        find_surface(context, at, fragments);
+    for (size_t at = begin; at < end; at += lane_count) {
+        const Fragment f = fragment(fragments, at);
+        find_surface(f, {&context, f, fragments.triangle.data() + at}, load(f, extent));
+    }
 }
 
 } // namespace lambent::draw::HWY_NAMESPACE

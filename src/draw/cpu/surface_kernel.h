@@ -21,10 +21,10 @@ struct TexcoordChoice {
     TexcoordChoice() = default;
     TexcoordChoice(const scene::Mesh& mesh, const scene::Material& material);
 
-    std::array<const std::vector<glm::vec2>*, 5>
+    std::array<const std::vector<glm::vec2>*, scene::texture_count>
         sets{}; ///< the first `count`; empty where the mesh has none such
     int count = 0;
-    int base_color = 0, metallic_roughness = 0, normal = 0, occlusion = 0, emissive = 0; ///< index into sets
+    std::array<int, scene::texture_count> of{}; ///< by the textures' numbers, index into sets
 
 private:
     int add(const scene::Mesh& mesh, const scene::TextureUse& use);
@@ -36,7 +36,9 @@ struct SurfaceContext {
     Model model = Model::ggx;
     const scene::Mesh* mesh = nullptr;
     const scene::Material* material = nullptr;
-    MaterialTextures textures;
+    MaterialTextures textures{};
+    std::array<const scene::TextureUse*, scene::texture_count> uses{};
+    std::array<float, scene::texture_count> normal_scales{};
     TexcoordChoice texcoords;
     glm::mat4 transform{1.0f}; ///< world from mesh
     glm::mat3 normals{1.0f};   ///< world from mesh for normals, up to length; keeps what is outside outside

@@ -263,15 +263,15 @@ void TileDrawer::find_group(const Fragments::Group& group)
 
 void TileDrawer::darken(const Fragments::Group& group)
 {
-    for (std::size_t c = direct_r; c < column_count; ++c)
-        std::fill(fragments_[Column(c)] + group.begin, fragments_[Column(c)] + group.end, 0.0f);
+    for (int c = column_direct; c < columns_of_light_end; ++c)
+        std::fill(fragments_[c] + group.begin, fragments_[c] + group.end, 0.0f);
 }
 
 scene::Bounds TileDrawer::bounds_of(const Fragments::Group& group) const
 {
     scene::Bounds box;
     for (int axis = 0; axis < 3; ++axis) {
-        const float* const values = fragments_[Column(position_x + static_cast<std::size_t>(axis))];
+        const float* const values = fragments_[column_position + axis];
         const auto [low, high] = std::minmax_element(values + group.begin, values + group.end);
         box.low[axis] = *low, box.high[axis] = *high;
     }
@@ -310,7 +310,8 @@ void TileDrawer::look_behind()
         if (material.alpha_mode == scene::AlphaMode::opaque)
             continue;
         for (std::size_t at = group.begin; at < group.end; ++at) {
-            const float left = fragments_.weight[at] * (1.0f - shown(material, fragments_[opacity][at]));
+            const float left =
+                fragments_.weight[at] * (1.0f - shown(material, fragments_[column_opacity][at]));
             if (left < least_weight)
                 continue;
             Look look;
@@ -330,9 +331,8 @@ void TileDrawer::resolve(Frame& frame, const TileArea& area)
 {
     const std::vector<LayerSource> sources =
         picture_.settings.layers ? layer_sources(picture_.settings.model) : std::vector<LayerSource>();
-    const auto three = [&](Column first, std::size_t at) {
-        return glm::vec3(fragments_[first][at], fragments_[Column(first + 1)][at],
-                         fragments_[Column(first + 2)][at]);
+    const auto three = [&](int first, std::size_t at) {
+        return glm::vec3(fragments_[first][at], fragments_[first + 1][at], fragments_[first + 2][at]);
     };
     const auto layer_value = [&](const LayerSource& source, std::size_t at) {
         if (source.reading == Reading::three)
@@ -343,7 +343,7 @@ void TileDrawer::resolve(Frame& frame, const TileArea& area)
     for (const Fragments::Group& group : fragments_.groups) {
         const scene::Material& material = *picture_.scene.surface(group.instance).material;
         for (std::size_t at = group.begin; at < group.end; ++at) {
-            const float weight = fragments_.weight[at] * shown(material, fragments_[opacity][at]);
+            const float weight = fragments_.weight[at] * shown(material, fragments_[column_opacity][at]);
             if (weight <= 0.0f)
                 continue;
             const int pixel = static_cast<int>(fragments_.pixel[at]);
@@ -351,9 +351,10 @@ void TileDrawer::resolve(Frame& frame, const TileArea& area)
             float* const out = frame.radiance.pixel(place.x, place.y);
             if (material.unlit)
                 add(frame.radiance.unlit.data() + (out - frame.radiance.values.data()), weight,
-                    three(emitted_r, at));
+                    three(column_emissive, at));
             add(out, weight,
-                three(emitted_r, at) + three(direct_r, at) + three(ambient_r, at) + three(reflected_r, at));
+                three(column_emissive, at) + three(column_direct, at) + three(column_ambient, at) +
+                    three(column_reflected, at));
             for (std::size_t i = 0; i < sources.size(); ++i)
                 add(frame.layers[i].image.pixel(place.x, place.y), weight, layer_value(sources[i], at));
         }

@@ -1,19 +1,33 @@
-// Columns of Fragments as lanes. Included after wide/wide.h, inside the target's namespace: no guard.
+// Columns of Fragments as lanes: hooks of src/shading/README.md. Included after wide/wide.h, inside the target's namespace: no
+// guard.
+
+// As many fragments as there are lanes.
+struct Fragment {
+    float* values; // of the first in column 0
+    size_t capacity;
+};
+
+HWY_INLINE Fragment fragment(Fragments& fragments, size_t at)
+{
+    return {fragments[0] + at, fragments.capacity()};
+}
+
+HWY_INLINE Real load(const Fragment& f, int column)
+{
+    return load(f.values + static_cast<size_t>(column) * f.capacity);
+}
+
+HWY_INLINE void store(const Fragment& f, int column, Real value)
+{
+    store(value, f.values + static_cast<size_t>(column) * f.capacity);
+}
 
 HWY_INLINE vec3 uniform(glm::vec3 v)
 {
     return vec3(v.x, v.y, v.z);
 }
 
-// Three columns side by side, of the fragments from `at` on.
-HWY_INLINE vec3 load3(const Fragments& f, Column first, size_t at)
-{
-    return vec3(load(f[first] + at), load(f[Column(first + 1)] + at), load(f[Column(first + 2)] + at));
-}
-
-HWY_INLINE void store3(vec3 v, Fragments& f, Column first, size_t at)
-{
-    store(v.x, f[first] + at);
-    store(v.y, f[Column(first + 1)] + at);
-    store(v.z, f[Column(first + 2)] + at);
-}
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function" // not every kernel does both
+#include "shading/passes/vectors.glsl"
+#pragma GCC diagnostic pop

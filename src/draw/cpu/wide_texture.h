@@ -1,11 +1,6 @@
-// Reading PackedTextures with lanes of coordinates. Included after wide/wide.h and shading/texture.glsl, inside the
+// Reading PackedTextures with lanes of coordinates. Included after wide/wide.h and shading/points.glsl, inside the
 // target's namespace: no guard. Addresses are found per lane in plain code, which the compiler turns into vectors of
 // eight: two RGBA texels.
-
-// RGBA of a texture, linear.
-struct Color {
-    Real r, g, b, a;
-};
 
 // A coordinate brought to [0, 1] by the sampler.
 HWY_INLINE Real wrapped(Real x, scene::Wrap wrap)
@@ -138,7 +133,7 @@ HWY_INLINE void add_reads(const PackedTexture& t, const TextureReads& reads, flo
 
 // Filtered over the pixel's footprint. Of a mask's, alpha is the share that is there. Samplers that ask for nearest texels
 // get one of each level for each of the reads that the footprint is made of.
-HWY_INLINE Color read_texture(const PackedTexture& t, TexturePoint p, const MaskCut* mask = nullptr)
+HWY_INLINE Texel read_texture(const PackedTexture& t, TexturePoint p, const MaskCut* mask = nullptr)
 {
     const scene::Sampler& sampler = t.sampler;
     const TextureFootprint footprint = texture_footprint(p, vec2(t.width[0], t.height[0]), t.levels - 1);
@@ -161,7 +156,7 @@ HWY_INLINE Color read_texture(const PackedTexture& t, TexturePoint p, const Mask
             store_place(t, placed(t, uv, level + 1.0, nearest), 1, where);
         add_reads(t, where, 1.0f / static_cast<float>(reads), mask, rgba);
     }
-    Color c{0.0, 0.0, 0.0, 0.0};
+    Texel c{0.0, 0.0, 0.0, 0.0};
     hn::LoadInterleaved4(FloatTag(), rgba, c.r.v, c.g.v, c.b.v, c.a.v);
     return c;
 }

@@ -52,25 +52,25 @@ SceneTextures::SceneTextures(const scene::Scene& scene, TexelTransfer color)
 
 void SceneTextures::list_textures(const scene::Scene& scene, TexelTransfer color)
 {
-    constexpr TexelTransfer none = TexelTransfer::none;
     const std::vector<float> alphas = vertex_alphas(scene);
-    const auto mask = [&](std::size_t i) { return mask_of(scene.materials[i], alphas[i]); };
-    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
-        const scene::Material& m = scene.materials[i];
-        add(m.base_color_texture, color, mask(i));
-        for (const scene::TextureUse* use :
-             {&m.metallic_roughness_texture, &m.normal_texture, &m.occlusion_texture})
-            add(*use, none, std::nullopt);
-        add(m.emissive_texture, color, std::nullopt);
-    }
-    for (std::size_t i = 0; i < scene.materials.size(); ++i) { // once they no longer move
-        const scene::Material& m = scene.materials[i];
-        materials_.push_back({find(m.base_color_texture, color, mask(i)),
-                              find(m.metallic_roughness_texture, none, std::nullopt),
-                              find(m.normal_texture, none, std::nullopt),
-                              find(m.occlusion_texture, none, std::nullopt),
-                              find(m.emissive_texture, color, std::nullopt)});
-    }
+    const auto for_each_use = [&](std::size_t material, const auto& visit) {
+        const scene::Material& m = scene.materials[material];
+        for_each_texture(m, [&](int number, const scene::TextureUse& use, scene::TextureCodes codes) {
+            const bool is_mask = number == scene::texture_base_color;
+            visit(static_cast<std::size_t>(number), use,
+                  codes == scene::TextureCodes::color ? color : TexelTransfer::none,
+                  is_mask ? mask_of(m, alphas[material]) : std::nullopt);
+        });
+    };
+    for (std::size_t i = 0; i < scene.materials.size(); ++i)
+        for_each_use(i, [&](std::size_t, const scene::TextureUse& use, TexelTransfer transfer,
+                            std::optional<float> least_alpha) { add(use, transfer, least_alpha); });
+    materials_.resize(scene.materials.size());
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) // once they no longer move
+        for_each_use(i, [&](std::size_t number, const scene::TextureUse& use, TexelTransfer transfer,
+                            std::optional<float> least_alpha) {
+            materials_[i][number] = find(use, transfer, least_alpha);
+        });
 }
 
 void SceneTextures::add(const scene::TextureUse& use, TexelTransfer transfer,

@@ -6,19 +6,14 @@
 #include "scene/scene.h"
 
 #include <cstddef>
+#include <array>
 #include <optional>
 #include <vector>
 
 namespace lambent::draw {
 
-/// A material's textures; null where it has none.
-struct MaterialTextures {
-    const PackedTexture* base_color = nullptr;
-    const PackedTexture* metallic_roughness = nullptr;
-    const PackedTexture* normal = nullptr;
-    const PackedTexture* occlusion = nullptr;
-    const PackedTexture* emissive = nullptr;
-};
+/// A material's textures by their numbers (shading/material/textures.h); null where it has none.
+using MaterialTextures = std::array<const PackedTexture*, scene::texture_count>;
 
 class SceneTextures {
 public:

@@ -1,6 +1,7 @@
 // Everything that stands at the bindings of the passes, and small readers of it.
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_buffer_reference_uvec2 : require
+#include "shading/numbers.glsl"
 #include "gpu_layout/light.glsl"
 #include "gpu_layout/scene.glsl"
 #include "gpu_layout/tile.glsl"
@@ -43,17 +44,17 @@ layout(buffer_reference, std430, buffer_reference_align = 4) readonly buffer Wor
 uint fragment_count() { return min(counters[counter_fragments], uint(picture.fragments.x)); }
 
 uint column_place(int column, uint at) { return uint(column) * uint(picture.fragments.x) + at; }
-float load(int column, uint at) { return values[column_place(column, at)]; }
-vec3 load3(int column, uint at) { return vec3(load(column, at), load(column + 1, at), load(column + 2, at)); }
-#ifndef ONLY_READS
-void store(float v, int column, uint at) { values[column_place(column, at)] = v; }
 
-void store3(vec3 v, int column, uint at)
-{
-    store(v.x, column, at);
-    store(v.y, column + 1, at);
-    store(v.z, column + 2, at);
-}
+// Hooks of src/shading/README.md.
+struct Fragment {
+    uint at;
+};
+
+float load(Fragment f, int column) { return values[column_place(column, f.at)]; }
+#ifndef ONLY_READS
+void store(Fragment f, int column, float v) { values[column_place(column, f.at)] = v; }
+
+#include "shading/passes/vectors.glsl"
 
 // Room for more fragments: where it begins, which may be beyond the last there is room for.
 uint add_fragments(uint count)
@@ -73,13 +74,3 @@ uint add_listed(uint count)
     return first;
 }
 #endif
-
-// A direction of the world, in the environment's own frame.
-vec3 turned(vec3 d)
-{
-    float c = picture.rotation.x;
-    float s = picture.rotation.y;
-    return vec3(c * d.x - s * d.z, d.y, s * d.x + c * d.z);
-}
-
-ReportTone report_tone() { return ReportTone(picture.report.x, picture.report.y, picture.report.z, picture.report.w); }

@@ -1,6 +1,5 @@
 // A scene's triangles and rays of sight. Included after bindings.glsl.
-#include "shading/texture.glsl"
-#include "shading/surface.glsl"
+#include "shading/points.glsl"
 
 float word(uint at) { return uintBitsToFloat(Words(picture.addresses.xy).words[at]); }
 vec2 words2(uint at) { return vec2(word(at), word(at + 1u)); }

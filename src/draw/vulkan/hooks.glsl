@@ -21,6 +21,7 @@ LightSum with_light(Environment e, LightSum sum, vec3 d, float level, vec2 weigh
 vec3 first_light(Environment e, LightSum sum) { return picture.chain.x * sum.first; }
 vec3 second_light(Environment e, LightSum sum) { return picture.chain.x * sum.second; }
 float level_one_variance(Environment e) { return picture.chain.y; }
+float lamp_variance(Environment e, int i) { return lamps[i].direction.w; }
 vec2 lamp_variances(Environment e) { return picture.chain.zw; }
 float report_base_level(Environment e) { return picture.maps.y; }
 int lamp_count(Environment e) { return e.lamps; }
@@ -30,6 +31,54 @@ int sample_count(Environment e) { return e.samples; }
 vec3 cap_point(Environment e, int i) { return samples[i].cap.xyz; }
 vec3 lobe_point(Environment e, int i) { return samples[i].lobe.xyz; }
 vec2 pixel_point(Environment e, int i) { return vec2(samples[i].cap.w, samples[i].lobe.w); }
+
+float highest_level(Environment e) { return float(textureQueryLevels(chain) - 1); }
+float highest_report_level(Environment e) { return float(textureQueryLevels(mips) - 1); }
+vec3 across_of(Environment e) { return picture.across.xyz; }
+float compensation_of(Environment e) { return picture.rotation.w; }
+float ambient_brightness(Environment e) { return picture.rotation.z; }
+ReportTone report_tone(Environment e) { return ReportTone(picture.report.x, picture.report.y, picture.report.z, picture.report.w); }
+
+// A direction of the world, in the environment's own frame.
+vec3 turned(Environment e, vec3 d)
+{
+    float c = picture.rotation.x;
+    float s = picture.rotation.y;
+    return vec3(c * d.x - s * d.z, d.y, s * d.x + c * d.z);
+}
+
+float albedo_entry(float column, float row, int part) { return albedos[picture.samples.y * int(row) + int(column)][part]; }
+vec3 environment_irradiance(Environment e, vec3 d) { return picture.maps.x * textureLod(irradiance_map, d, 0.0).rgb; }
+
+int background_of(Environment e) { return picture.behind.x; }
+
+// A texel of the panorama before its scale; rows beyond a pole go on across it.
+vec3 panorama_texel(int x, int y)
+{
+    int width = picture.behind.y;
+    int height = picture.behind.z;
+    int column = (y < 0 || y >= height ? x + width / 2 : x) % width;
+    uint texel = Words(picture.addresses.zw).words[clamp(y, 0, height - 1) * width + column];
+    float scale = uintBitsToFloat(((texel >> 27) + 127u - 24u) << 23);
+    return scale * vec3(texel & 511u, (texel >> 9) & 511u, (texel >> 18) & 511u);
+}
+
+vec3 environment_panorama(Environment e, vec3 d)
+{
+    int width = picture.behind.y;
+    vec2 place = equirectangular_from_direction(d) * vec2(picture.behind.yz) - 0.5;
+    ivec2 at = ivec2(floor(place));
+    vec2 share = place - vec2(at);
+    int left = (at.x + width) % width;
+    vec3 above = mix(panorama_texel(left, at.y), panorama_texel(left + 1, at.y), share.x);
+    vec3 below = mix(panorama_texel(left, at.y + 1), panorama_texel(left + 1, at.y + 1), share.x);
+    return picture.panorama.x * mix(above, below, share.y);
+}
+
+vec3 environment_blurred(Environment e, vec3 d) { return picture.chain.x * textureLod(chain, d, picture.background.w).rgb; }
+float share_of_level(Environment e, int level) { return picture.blur[2 * level]; }
+float variance_of_level(Environment e, int level) { return picture.blur[2 * level + 1]; }
+int is_without_lamps(Environment e, int level) { return share_of_level(e, level) > 0.0 ? 1 : 0; }
 
 // A texel of a level; rows may be one beyond either pole: there the picture goes on across it, which no sampler does.
 vec3 mip_texel(int x, int y, ivec2 size, int level)

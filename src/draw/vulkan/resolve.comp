@@ -16,18 +16,18 @@ float shown(uint instance, float opacity)
     return materials[instances[instance].ids.y].kind.x == alpha_opaque ? 1.0 : clamp(opacity, 0.0, 1.0);
 }
 
-vec3 picture_light(uint at)
+vec3 picture_light(Fragment f)
 {
-    return load3(column_emitted, at) + load3(column_direct, at) + load3(column_ambient, at) + load3(column_reflected, at);
+    return load3(f, column_emissive) + load3(f, column_direct) + load3(f, column_ambient) + load3(f, column_reflected);
 }
 
-vec3 layer_value(int layer, uint at)
+vec3 layer_value(int layer, Fragment f)
 {
     int source = picture.layers[layer / 4][layer % 4];
     int column = source >> 2;
     if ((source & 3) == read_three || (source & 3) == read_unlit)
-        return load3(column, at);
-    float value = load(column, at);
+        return load3(f, column);
+    float value = load(f, column);
     return vec3((source & 3) == read_root ? sqrt(value) : value);
 }
 
@@ -36,7 +36,7 @@ void go_on_behind(FragmentRecord record, uint at, float left)
     float unit = length(picture.direction.xyz + record.place.x * picture.direction_dx.xyz +
                         record.place.y * picture.direction_dy.xyz);
     uint look = record.ids.z * uint(looks) + record.ids.w;
-    behind[look] = vec4(load(column_depth, at) / unit, left, record.place.w, 0.0);
+    behind[look] = vec4(load(Fragment(at), column_depth) / unit, left, record.place.w, 0.0);
 }
 
 // What goes on behind the surfaces from span.x on.
@@ -47,7 +47,7 @@ void look_behind(uint pixel, uvec4 span)
         behind[pixel * uint(looks) + uint(look)] = vec4(0.0);
     for (uint at = span.x; at < span.x + span.y; ++at) {
         FragmentRecord record = records[at];
-        float left = record.place.z * (1.0 - shown(record.ids.x, load(column_opacity, at)));
+        float left = record.place.z * (1.0 - shown(record.ids.x, load(Fragment(at), column_opacity)));
         if (left >= least_weight) {
             go_on_behind(record, at, left);
             goes_on = true;
@@ -66,11 +66,11 @@ vec4 drawn_light(int layer, uvec4 span)
         FragmentRecord record = records[at];
         float weight = record.place.z;
         if (through == 1)
-            weight *= shown(record.ids.x, load(column_opacity, at));
-        if (layer >= 0 && (picture.layers[layer / 4][layer % 4] & 3) == read_unlit && load(column_lit, at) > 0.0)
+            weight *= shown(record.ids.x, load(Fragment(at), column_opacity));
+        if (layer >= 0 && (picture.layers[layer / 4][layer % 4] & 3) == read_unlit && load(Fragment(at), column_lit) > 0.0)
             continue;
         if (weight > 0.0)
-            sum += weight * vec4(layer < 0 ? picture_light(at) : layer_value(layer, at), 1.0);
+            sum += weight * vec4(layer < 0 ? picture_light(Fragment(at)) : layer_value(layer, Fragment(at)), 1.0);
     }
     return sum;
 }

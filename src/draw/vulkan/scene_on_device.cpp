@@ -174,11 +174,10 @@ void SceneOnDevice::place_instances(const vulkan::Device& device, const scene::S
         record.normal_z = row(normals, 2);
         record.normal_z.w = mirrors(instance) ? -1.0f : 1.0f;
         record.ids = {static_cast<uint>(instance.mesh), static_cast<uint>(&material - scene.materials.data()),
-                      set(material.emissive_texture), 0};
-        record.sets[use_base_color] = set(material.base_color_texture);
-        record.sets[use_metallic_roughness] = set(material.metallic_roughness_texture);
-        record.sets[use_normal] = set(material.normal_texture);
-        record.sets[use_occlusion] = set(material.occlusion_texture);
+                      0, 0};
+        for_each_texture(material, [&](int number, const scene::TextureUse& use, scene::TextureCodes) {
+            record.sets[number] = set(use);
+        });
         records.push_back(record);
     }
     instances_.emplace(filled_buffer(device, records));
@@ -192,20 +191,17 @@ void SceneOnDevice::place_materials(const vulkan::Device& device, const scene::S
         const scene::Material& m = scene.materials[i];
         const MaterialTextures own = textures.of(i);
         MaterialRecord record{};
-        record.base_color = m.base_color;
-        record.emissive = vec4(m.emissive, m.normal_scale);
-        record.numbers = {m.metallic, m.perceptual_roughness, m.occlusion_strength, m.alpha_cutoff};
+        std::ranges::copy(factors_of(m), record.factors);
+        std::ranges::copy(normal_scales_of(m), record.normal_scales);
         record.phong_diffuse = given(m.phong.diffuse);
         record.phong_specular = given(m.phong.specular);
-        record.phong_exponent = {m.phong.exponent.value_or(0.0f), m.phong.exponent ? 1.0f : 0.0f, 0.0f, 0.0f};
+        record.phong_exponent = {m.phong.exponent.value_or(0.0f), m.phong.exponent ? 1.0f : 0.0f,
+                                 m.alpha_cutoff, 0.0f};
         record.kind = {alpha_of(m.alpha_mode), m.unlit ? 1 : 0, 0, 0};
         has_unlit_ = has_unlit_ || m.unlit;
-        record.uses[use_base_color] = use_record(m.base_color_texture, textures.index(own.base_color));
-        record.uses[use_metallic_roughness] =
-            use_record(m.metallic_roughness_texture, textures.index(own.metallic_roughness));
-        record.uses[use_normal] = use_record(m.normal_texture, textures.index(own.normal));
-        record.uses[use_occlusion] = use_record(m.occlusion_texture, textures.index(own.occlusion));
-        record.uses[use_emissive] = use_record(m.emissive_texture, textures.index(own.emissive));
+        for_each_texture(m, [&](int number, const scene::TextureUse& use, scene::TextureCodes) {
+            record.uses[number] = use_record(use, textures.index(own[static_cast<std::size_t>(number)]));
+        });
         records.push_back(record);
     }
     materials_.emplace(filled_buffer(device, records));

@@ -1,6 +1,7 @@
 // Pictures inside and beside a glTF.
 #pragma once
 
+#include "scene/scene.h"
 #include "scene/gltf_document/gltf_document.h"
 
 #include <span>

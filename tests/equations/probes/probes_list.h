@@ -74,3 +74,6 @@ PROBE(57, shading_middle_levels, 1e-5, 1e-5, 1e-4, 1e-4)
 PROBE(58, shading_pipeline_report, 1e-4, 1e-3, 1e-3, 2e-3)
 // The exponent is up to 1e4 here, as in phong_brdf_sharp, and how far a light is off a lobe has few digits.
 PROBE(59, shading_direct_in_pixel, 1e-5, 2e-2, 1e-5, 2e-2)
+PROBE(60, shading_parameters, 1e-5, 1e-5, 1e-5, 1e-5)
+PROBE(61, shading_albedo, 1e-4, 0.0, 1e-4, 0.0)
+PROBE(62, shading_arrivals, 1e-5, 1e-5, 1e-5, 1e-5)

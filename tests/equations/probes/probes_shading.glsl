@@ -1,6 +1,8 @@
 // The passes of src/shading, called as probes.glsl calls the equations; and the choice between all probes. Included
 // after it.
 
+#include "shading/choices.glsl"
+
 // The hooks of the passes over an environment that is a formula: brighter above, a little darker with the level.
 struct Environment {
     Real brightness;
@@ -65,6 +67,10 @@ vec3 second_light(Environment e, LightSum sum) { return (e.brightness / e.bright
 Real report_base_level(Environment e) { return e.base_level; }
 
 #include "shading/all.glsl"
+
+// A table that is a formula.
+Real albedo_entry(Real column, Real row, int part) { return 0.01 * column + 0.02 * row + 0.1 * Real(part); }
+#include "shading/lobes/albedo.glsl"
 
 Environment formula(Real brightness)
 {
@@ -236,7 +242,7 @@ Outputs shading_steps(Inputs i)
 {
     vec3 moved = moved_on_plane(direction(i.a, i.b), vec3(0.1, 0.2, 0.3) + 3.0 * direction(i.a, i.b), i.c,
                                 vec3(i.d, i.e, i.f), vec3(i.g, i.h, i.a));
-    return outputs(moved, largest_part(moved) + believed(i.h) + believed(1.0e16 + i.h));
+    return outputs(moved, largest_part(moved) + finite_or_zero(i.h) + finite_or_zero(1.0e16 + i.h));
 }
 
 Turning some_turning(Inputs i)
@@ -269,6 +275,45 @@ Outputs shading_material(Inputs i)
 {
     Phong p = phong_from_metallic(vec3(i.a, i.b, i.c), i.d, 0.3 + 0.7 * i.e);
     return outputs(p.diffuse + p.specular, alpha_of_roughness(i.f) + 0.001 * p.exponent);
+}
+
+Texel some_texel(Real a, Real b)
+{
+    Texel t = {a, b, 0.5 + 0.5 * a, 0.5 + 0.5 * b};
+    return t;
+}
+
+Outputs shading_parameters(Inputs i)
+{
+    Texels texels = {
+#define TEXTURE(name, number, transfer, object, key) some_texel(i.a + 0.01 * Real(number), i.b),
+#define NORMAL_TEXTURE(name, number, object, key) some_texel(i.c, i.b),
+#include "shading/material/textures.h"
+    };
+    Material factors = {
+#define COLOR_AND_ALPHA(name, alpha, number, value, object, key, texture) vec3(i.d, i.e, i.f), i.g,
+#define COLOR(name, number, value, object, key, texture) vec3(i.e, i.f, i.d),
+#define SCALAR(name, number, value, object, key, texture, channel) i.h,
+#define ROUGHNESS(name, factor, number, value, object, key, texture, channel) i.g,
+#define STRENGTH(name, factor, number, value, object, key, texture, channel) i.f,
+#include "shading/material/parameters.h"
+    };
+    Material m = material_of(factors, texels, some_texel(i.h, i.g), alpha_blend);
+    return outputs(m.base_color + m.emissive + vec3(m.opacity + opacity_of(alpha_mask, i.a, i.b)),
+                   m.alpha + m.metallic + m.occlusion);
+}
+
+Outputs shading_albedo(Inputs i)
+{
+    vec2 albedo = albedo_of(i.a, i.b);
+    return outputs(vec3(albedo.x, albedo.y, 0.0), 0.0 * i.c);
+}
+
+Outputs shading_arrivals(Inputs i)
+{
+    Arrival near = arrival_of(some_lamp(i), 1, vec3(i.b, i.c, i.d));
+    Arrival far = arrival_of(some_lamp(i), 0, vec3(i.b, i.c, i.d));
+    return outputs(near.direction + far.direction, far.illuminance.x + 0.1 * near.illuminance.y);
 }
 
 Outputs shading_texture(Inputs i)

@@ -18,6 +18,13 @@ struct Triangle {
     vec3 edge2;
 };
 
+// An attribute at a triangle's corners.
+struct Corners {
+    vec3 a;
+    vec3 b;
+    vec3 c;
+};
+
 // Where a ray meets a triangle's plane: distance in multiples of the ray's direction, weights of corners 1 and 2.
 struct Meeting {
     Real distance;
@@ -74,7 +81,7 @@ vec3 moved_on_plane(vec3 direction, vec3 normal, Real distance, vec3 origin_step
 Real largest_part(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
 
 // A rate of change, or 0 where it overflowed: what is looked up by it has to be a number. Witness: both sides of 1e15.
-Real believed(Real rate) { return select(abs(rate) < 1.0e15, rate, 0.0); }
+Real finite_or_zero(Real rate) { return select(abs(rate) < 1.0e15, rate, 0.0); }
 
 // Witness: the weights of the points that the rays of neighbouring pixels meet.
 Facet facet_at(SightRay s, Triangle t, Meeting m)
@@ -93,10 +100,10 @@ Facet facet_at(SightRay s, Triangle t, Meeting m)
     Barycentric at = {1.0 - m.u - m.v,
                       m.u,
                       m.v,
-                      believed(dot(dx, across_b)),
-                      believed(dot(dx, across_c)),
-                      believed(dot(dy, across_b)),
-                      believed(dot(dy, across_c))};
+                      finite_or_zero(dot(dx, across_b)),
+                      finite_or_zero(dot(dx, across_c)),
+                      finite_or_zero(dot(dy, across_b)),
+                      finite_or_zero(dot(dy, across_c))};
     Facet f = {t.corner + m.u * t.edge1 + m.v * t.edge2, normal, m.distance, at};
     return f;
 }
@@ -169,13 +176,18 @@ Surface surface_at(SightRay s, Facet f, Turning turning, vec3 mapped, Real hande
     return surface;
 }
 
-// alpha of a material; below 0.0001 a lobe is narrower than float arithmetic tells apart. Witness: squares.
-Real alpha_of_roughness(Real roughness) { return max(roughness * roughness, 1.0e-4); }
-
 // The report's parameters, as near as its model comes to metal and dielectric. Witness: both, by the table of
 // fresnel.glsl.
-Phong phong_from_metallic(vec3 base, Real metalness, Real roughness)
+Phong phong_from_metallic(vec3 base, Real metalness, Real alpha)
 {
-    Phong p = {(1.0 - metalness) * base, base_reflectance(base, metalness), phong_exponent(roughness * roughness)};
+    Phong p = {(1.0 - metalness) * base, base_reflectance(base, metalness), phong_exponent(alpha)};
     return p;
 }
+
+// What the report's model takes in place of what it makes of metal and dielectric: where `given`, 0 or 1, says so.
+struct GivenPhong {
+    vec3 diffuse;
+    vec3 specular;
+    Real exponent;
+    vec3 given; // diffuse, specular, exponent
+};

@@ -27,6 +27,16 @@ Arrival arrival_from(LocalLight light, vec3 point)
     return a;
 }
 
+// Light of a lamp at a place, where `local` is not 0, or of one infinitely far away that lights all points alike.
+// Witness: both.
+Arrival arrival_of(LocalLight light, int local, vec3 point)
+{
+    Arrival a = {-light.axis, light.intensity};
+    if (local != 0)
+        a = arrival_from(light, point);
+    return a;
+}
+
 // What of it a surface sends towards V: BRDF times illuminance times the cosine. Witness: an independent GGX in double
 // (tests/draw).
 vec3 direct_metallic(Metallic m, vec2 albedo, vec3 N, vec3 V, Arrival a)

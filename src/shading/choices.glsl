@@ -1,0 +1,13 @@
+// How a picture is lit, as numbers that C++ and shaders agree on.
+const int model_ggx = 0;
+const int model_phong = 1;
+const int levels_matched = 0;
+const int levels_report = 1;
+const int levels_pipeline = 2; // the report's, in its own order of things
+const int alpha_opaque = 0; // how a material's alpha is taken [glTF 2.0, 3.9.4]
+const int alpha_mask = 1;
+const int alpha_blend = 2;
+const int background_none = 0;
+const int background_color = 1;
+const int background_panorama = 2;
+const int background_blurred = 3;

@@ -1,0 +1,4 @@
+// The passes of light. Included after numbers.glsl, all.glsl and the hooks.
+#include "shading/lobes/albedo.glsl"
+#include "shading/passes/gbuffer.glsl"
+#include "shading/passes/light.glsl"

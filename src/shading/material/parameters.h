@@ -1,0 +1,24 @@
+// The parameters of a material, for C++ and GLSL alike: fields of the scene's material, of the one at a point, numbers of the
+// device's record and columns of the G-buffer. Each is a factor times a channel of a texture.
+//   COLOR_AND_ALPHA(name, alpha, number, value, object, key, texture)
+//       four numbers: linear RGB, and alpha, which the mode of alpha makes an opacity of
+//   COLOR(name, number, value, object, key, texture)
+//       three numbers: linear RGB
+//   SCALAR(name, number, value, object, key, texture, channel)
+//       from 0 to 1
+//   ROUGHNESS(name, factor, number, value, object, key, texture, channel)
+//       perceptual roughness from 0 to 1 in files; at a point its square, alpha
+//   STRENGTH(name, factor, number, value, object, key, texture, channel)
+//       from 0 to 1: how far the texture's value, instead of 1, is taken
+// `number` is the first of its own; `value` the factor where a file gives none; `object` and `key` are where a glTF's material
+// has the factor: in which object, or in `material` itself.
+COLOR_AND_ALPHA(base_color, opacity, 0, 1.0, pbrMetallicRoughness, baseColorFactor, base_color)
+SCALAR(metallic, 4, 1.0, pbrMetallicRoughness, metallicFactor, metallic_roughness, b)
+ROUGHNESS(alpha, perceptual_roughness, 5, 1.0, pbrMetallicRoughness, roughnessFactor, metallic_roughness, g)
+STRENGTH(occlusion, occlusion_strength, 6, 1.0, occlusionTexture, strength, occlusion, r)
+COLOR(emissive, 7, 0.0, material, emissiveFactor, emissive)
+#undef COLOR_AND_ALPHA
+#undef COLOR
+#undef SCALAR
+#undef ROUGHNESS
+#undef STRENGTH

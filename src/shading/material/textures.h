@@ -1,0 +1,12 @@
+// The textures that a material may have, for C++ and GLSL alike:
+//   TEXTURE(name, number, transfer, object, key)
+//       codes of colours or linear ones; where a glTF's material has it: in which object, or in `material` itself
+//   NORMAL_TEXTURE(name, number, object, key)
+//       a map of normals in tangent space, with its own scale
+TEXTURE(base_color, 0, color, pbrMetallicRoughness, baseColorTexture)
+TEXTURE(metallic_roughness, 1, linear, pbrMetallicRoughness, metallicRoughnessTexture)
+NORMAL_TEXTURE(normal, 2, material, normalTexture)
+TEXTURE(occlusion, 3, linear, material, occlusionTexture)
+TEXTURE(emissive, 4, color, material, emissiveTexture)
+#undef TEXTURE
+#undef NORMAL_TEXTURE

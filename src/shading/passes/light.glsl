@@ -1,0 +1,139 @@
+// The passes of light over fragments. Hooks: see README.md.
+
+Metallic metallic_of(Environment e, Material m)
+{
+    Metallic r = {m.base_color, m.metallic, m.alpha, compensation_of(e)};
+    return r;
+}
+
+// A fragment as direct light meets it.
+struct Receiver {
+    ShinyPoint shiny;
+    vec3 point;
+    Material material;
+    Phong phong;
+    vec2 albedo;
+};
+
+Receiver receiver_at(Fragment f)
+{
+    ShinyPoint s = load_shine(f, 0);
+    Material m = load_material(f);
+    Receiver r = {s, load3(f, column_position), m, load_phong(f), albedo_of(dot(s.normal, s.view), m.alpha)};
+    return r;
+}
+
+// What a fragment sends to the viewer of light that arrives: in the report's own order of things by one look, as it has it.
+vec3 direct_light(Environment e, Receiver r, Arrival a)
+{
+    if (levels_of(e) == levels_pipeline)
+        return direct_phong(r.phong, r.shiny.normal, r.shiny.view, a);
+    if (model_of(e) == model_phong)
+        return direct_phong_in_pixel(r.phong, r.shiny, a);
+    return direct_metallic_in_pixel(metallic_of(e, r.material), r.albedo, r.shiny, a);
+}
+
+void add_ambient(Environment e, Fragment f)
+{
+    ShinyPoint s = load_shine(f, 0);
+    Material m = load_material(f);
+    vec3 irradiance = environment_irradiance(e, turned(e, s.normal));
+    Real brightness = ambient_brightness(e) * m.occlusion;
+    vec3 light = vec3(0.0);
+    if (levels_of(e) == levels_pipeline)
+        light = ambient_report(report_tone(e), load3(f, column_diffuse), irradiance, brightness);
+    else if (model_of(e) == model_phong)
+        light = ambient_light(load3(f, column_diffuse), irradiance, brightness);
+    else {
+        vec2 albedo = albedo_of(dot(s.normal, s.view), m.alpha);
+        light = ambient_light(reflectance_metallic(metallic_of(e, m), albedo).diffuse, irradiance, brightness);
+    }
+    store3(f, column_irradiance, irradiance);
+    store3(f, column_ambient, light);
+}
+
+// A point that mirrors, in the environment's own frame.
+ShinyPoint in_environment(Environment e, ShinyPoint s)
+{
+    ShinyPoint t = {turned(e, s.normal), turned(e, s.view), turned(e, s.mirrored_dx), turned(e, s.mirrored_dy)};
+    return t;
+}
+
+Mirror mirror_at(Environment e, ShinyPoint s, Real alpha)
+{
+    ShinyPoint t = in_environment(e, s);
+    Mirror m = {t, turned(e, across_of(e)), alpha, albedo_of(dot(t.normal, t.view), alpha)};
+    return m;
+}
+
+vec3 reflected_phong(Environment e, Phong p, ShinyPoint s)
+{
+    vec3 across = turned(e, across_of(e));
+    if (levels_of(e) == levels_pipeline)
+        return specular_pipeline_report(e, report_tone(e), p, s.normal, s.view, across);
+    if (levels_of(e) == levels_report)
+        return specular_phong_report(e, p, s.normal, s.view, across);
+    return specular_phong(e, p, s, across);
+}
+
+vec3 reflected_metallic(Environment e, Material m, ShinyPoint s)
+{
+    Mirror mirror = mirror_at(e, s, m.alpha);
+    LobeLight light = specular_ggx(e, mirror);
+    Reflectance r = reflectance_metallic(metallic_of(e, m), mirror.albedo);
+    return r.plain * light.plain + r.grazing * light.grazing;
+}
+
+// The level at which the base's lobe is read in its middle, as a part of the levels that there are.
+Real middle_level(Environment e, Fragment f)
+{
+    ShinyPoint s = load_shine(f, 0);
+    if (model_of(e) == model_ggx)
+        return part_of_levels(middle_level_ggx(e, mirror_at(e, s, load(f, column_alpha))), highest_level(e));
+    Real exponent = load(f, column_exponent);
+    if (levels_of(e) == levels_pipeline)
+        return part_of_levels(middle_level_pipeline(e, exponent), highest_report_level(e));
+    if (levels_of(e) == levels_report)
+        return part_of_levels(middle_level_report(e, exponent), highest_report_level(e));
+    return part_of_levels(middle_level_phong(e, in_environment(e, s), exponent), highest_level(e));
+}
+
+void add_specular(Environment e, Fragment f)
+{
+    ShinyPoint s = load_shine(f, 0);
+    vec3 light = vec3(0.0);
+    if (model_of(e) == model_phong)
+        light = reflected_phong(e, load_phong(f), in_environment(e, s));
+    else
+        light = reflected_metallic(e, load_material(f), s);
+    store3(f, column_reflected, light);
+}
+
+// `sum` and the lamps through a level's blur, of which a share is read. d: in the environment's own frame.
+vec3 with_lamps_blurred(Environment e, vec3 d, vec3 sum, Real share, Real variance)
+{
+    for (int i = 0; i < lamp_count(e); ++i) {
+        vec3 off = d - lamp_direction(e, i);
+        sum += (share * gaussian_on_sphere(dot(off, off), variance + lamp_variance(e, i))) * lamp_light(e, i);
+    }
+    return sum;
+}
+
+// What is behind everything in a direction of the world: the panorama, or it through the blurs of two levels.
+vec3 background_light(Environment e, vec3 direction)
+{
+    vec3 d = turned(e, direction);
+    vec3 light = vec3(0.0);
+    if (background_of(e) == background_panorama)
+        light = environment_panorama(e, d);
+    else {
+        vec3 lamps = vec3(0.0);
+        for (int i = 0; i < 2; ++i)
+            if (is_without_lamps(e, i) != 0)
+                lamps = with_lamps_blurred(e, d, lamps, share_of_level(e, i), variance_of_level(e, i));
+        light = environment_blurred(e, d) + lamps;
+    }
+    if (levels_of(e) == levels_pipeline)
+        light = toned_report(report_tone(e), light);
+    return light;
+}

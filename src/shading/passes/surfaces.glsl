@@ -1,0 +1,78 @@
+// From the triangle that a fragment shows to its surface: position, normals, material. Hooks: see README.md.
+
+vec3 interpolated(Corners v, Barycentric at) { return at.a * v.a + at.b * v.b + at.c * v.c; }
+
+// The rate of change when the weights of corners 1 and 2 change so.
+vec3 changed(Corners v, Real b, Real c) { return b * (v.b - v.a) + c * (v.c - v.a); }
+
+Turning turning_at(Source s, Barycentric at)
+{
+    Corners normals = corner_normals(s);
+    mat3 to_world = normals_to_world(s);
+    return turning_of(to_world * interpolated(normals, at), to_world * changed(normals, at.b_dx, at.c_dx),
+                      to_world * changed(normals, at.b_dy, at.c_dy));
+}
+
+// The normal with a map, if the material has it.
+vec3 bumped(Source s, Barycentric at, vec3 normal, Texel code, int texture)
+{
+    vec3 mapped = normal;
+    if (has_normal_map(s, texture) != 0)
+        mapped = mapped_normal(normal, tangent_at(s, at), tangent_side(s), vec3(code.r, code.g, code.b),
+                               normal_scale(s, texture));
+    return mapped;
+}
+
+// The report's parameters, as near as its model comes to metal and dielectric, or as given.
+Phong phong_of(Material m, GivenPhong g)
+{
+    Phong made = phong_from_metallic(m.base_color, m.metallic, m.alpha);
+    Phong p = {select(g.given.x > 0.5, g.diffuse, made.diffuse), select(g.given.y > 0.5, g.specular, made.specular),
+               select(g.given.z > 0.5, g.exponent, made.exponent)};
+    return p;
+}
+
+void store_models(Fragment f, Source s, Material m)
+{
+    if (model_of(s) == model_phong) {
+        Phong p = phong_of(m, given_phong(s));
+        store3(f, column_diffuse, p.diffuse);
+        store3(f, column_specular, p.specular);
+        store(f, column_exponent, p.exponent);
+    } else
+        store3(f, column_specular, base_reflectance(m.base_color, m.metallic));
+}
+
+// All that the passes of light read. extent: side of the square that is lit as one, in pixels.
+void find_surface(Fragment f, Source s, Real extent)
+{
+    SightRay sight = sight_of(s);
+    Triangle triangle = triangle_of(s);
+    Facet facet = facet_at(sight, triangle, meeting_of(s, sight, triangle));
+    Turning turning = turning_at(s, facet.at);
+    Texel vertex = vertex_color(s, facet.at);
+    Texels texels = texels_of(s, facet.at, vertex);
+    Material m = material_of(factors_of(s), texels, vertex, alpha_mode(s));
+    m.alpha = own_or_given_alpha(s, m.alpha);
+    vec3 normal = bumped(s, facet.at, turning.normal, texels.normal, texture_normal);
+    Surface surface = surface_at(sight, facet, turning, normal, handedness(s));
+    store3(f, column_position, facet.position);
+    store(f, column_depth, surface.depth);
+    store3(f, column_view, surface.view);
+    store_shine(f, 0, surface, extent);
+#define LAYER(name, number, texture)                                                                                \
+    if (any_of(m.name > 0.0))                                                                                       \
+        store_shine(f, number,                                                                                      \
+                    surface_at(sight, facet, turning,                                                               \
+                               bumped(s, facet.at, turning.normal, texels.texture, texture_##texture), handedness(s)), \
+                    extent);
+#include "shading/lobes/layers.h"
+    store_models(f, s, m);
+    Real lit = 1.0;
+    if (is_unlit(s) != 0) { // its colour is its light [KHR_materials_unlit]
+        m.emissive = m.base_color;
+        lit = 0.0;
+    }
+    store_material(f, m);
+    store(f, column_lit, lit);
+}
