@@ -36,8 +36,7 @@ environment::Environment environment_of_formula(int width)
 }
 
 // The surfaces in pieces of a tile's size, as the renderer holds them.
-std::vector<draw::Fragments> fragments_of(const std::vector<bench::YardstickSurface>& surfaces,
-                                          draw::Model model)
+std::vector<draw::Fragments> fragments_of(const std::vector<bench::YardstickSurface>& surfaces)
 {
     constexpr std::size_t tile = 1024;
     std::vector<draw::Fragments> tiles((surfaces.size() + tile - 1) / tile);
@@ -46,17 +45,17 @@ std::vector<draw::Fragments> fragments_of(const std::vector<bench::YardstickSurf
         f.resize(tile);
         for (std::size_t i = 0; i < tile; ++i) {
             const bench::YardstickSurface& s = surfaces[std::min(t * tile + i, surfaces.size() - 1)];
-            for (std::size_t k = 0; k < 3; ++k) {
-                f[draw::Column(draw::shading_x + k)][i] = s.normal[k];
-                f[draw::Column(draw::view_x + k)][i] = s.view[k];
-                f[draw::Column(draw::base_r + k)][i] = s.specular[k];
-                f[draw::Column(draw::specular_r + k)][i] = s.specular[k];
-                f[draw::Column(draw::mirrored_dx_x + k)][i] = 0.0f;
-                f[draw::Column(draw::mirrored_dy_x + k)][i] = 0.0f;
+            for (int k = 0; k < 3; ++k) {
+                f[draw::column_shine + k][i] = s.normal[k];
+                f[draw::column_view + k][i] = s.view[k];
+                f[draw::column_base_color + k][i] = s.specular[k];
+                f[draw::column_specular + k][i] = s.specular[k];
+                f[draw::column_shine + 3 + k][i] = 0.0f;
+                f[draw::column_shine + 6 + k][i] = 0.0f;
             }
-            f[draw::metalness][i] = s.specular[0] > 0.5f ? 1.0f : 0.0f;
-            f[draw::gloss][i] =
-                model == draw::Model::phong ? s.exponent : std::sqrt(2.0f / (s.exponent + 2.0f));
+            f[draw::column_metallic][i] = s.specular[0] > 0.5f ? 1.0f : 0.0f;
+            f[draw::column_exponent][i] = s.exponent;
+            f[draw::column_alpha][i] = std::sqrt(2.0f / (s.exponent + 2.0f));
         }
     }
     return tiles;
@@ -82,7 +81,7 @@ void run(const char* name, std::int64_t target)
         });
     };
     for (draw::Model model : {draw::Model::phong, draw::Model::ggx}) {
-        std::vector<draw::Fragments> tiles = fragments_of(surfaces, model);
+        std::vector<draw::Fragments> tiles = fragments_of(surfaces);
         draw::LightContext context;
         context.model = model;
         context.environment = &environment;

@@ -1,27 +1,37 @@
 // Materials at a point: how much light they send from one direction into another, and where to look for it.
 #pragma once
 
+#include "reference/point_material.h"
 #include "view/picture.h"
 
 #include <glm/ext/vector_double2.hpp>
 #include <glm/ext/vector_double3.hpp>
 
+#include <vector>
+
 namespace lambent::reference {
 
-/// What find_surface knows of a point. Colours are linear.
+/// A lobe over the base, of shading/lobes/layers.h: by its parameters, which are the material's, and its own normal.
+struct PointLayer {
+    int number = 1;
+    glm::dvec3 normal{0.0}; ///< unit shading normal, on the viewer's side
+};
+
+/// What find_surface knows of a point.
 struct Surface {
     glm::dvec3 position{0.0};
     glm::dvec3 geometric{0.0}; ///< unit normal of the triangle, on the viewer's side
     glm::dvec3 normal{0.0};    ///< unit shading normal, on the viewer's side
     glm::dvec3 view{0.0};      ///< unit, towards where the ray came from
-    glm::dvec3 base{0.0};      ///< ggx: base colour; phong: Kd
-    glm::dvec3 specular{0.0};  ///< phong: Ks
-    double gloss = 1.0;        ///< ggx: alpha = perceptual_roughness^2; phong: exponent
-    double metalness = 0.0;
-    double opacity = 1.0;
-    glm::dvec3 emitted{0.0};
+    PointMaterial material;
+    PointPhong phong;
+    std::vector<PointLayer> layers; ///< those that are there, from the lowest up
     bool unlit = false;
 };
+
+/// Light that the surface sends by itself towards its viewer: what lobes over the base leave of its material's, or, where it is
+/// unlit, its colour.
+glm::dvec3 emitted_by(const Surface& surface, bool energy_compensation);
 
 /// The reflection of a surface point towards its viewer.
 class Reflection {
@@ -34,7 +44,7 @@ public:
     /// Density of draw() at a direction, per steradian.
     double density(const glm::dvec3& light) const;
 
-    /// A direction light may come from: by visible normals for the glossy part, by the cosine for the diffuse part.
+    /// A direction light may come from: by visible normals for glossy lobes, by the cosine for the diffuse part.
     /// May be below the surface, where value() is 0.
     glm::dvec3 draw(const glm::dvec2& u) const;
 
@@ -42,19 +52,35 @@ public:
     bool is_wide() const;
 
 private:
-    double glossy_density(const glm::dvec3& light) const;
-    glm::dvec3 draw_glossy(const glm::dvec2& u) const;
+    /// GGX facets about a normal: the base's, or those of a lobe over it.
+    struct Facets {
+        glm::dvec3 normal{0.0}, base{0.0};
+        double metalness = 0.0, alpha = 1.0;
+        double NV = 1.0;
+        glm::dvec2 albedo{0.0};
+        double there = 1.0;   ///< how much of it there is
+        glm::dvec3 left{0.0}; ///< what it leaves to those below
+        double chance = 0.0;  ///< of being drawn from before those below
+    };
+    Facets facets_of(const PointLayer& layer) const;
+    void set_base(view::Model model);
+    void set_layers();
+    glm::dvec3 value_of(const Facets& facets, const glm::dvec3& light) const;
+    double density_of(const Facets& facets, const glm::dvec3& light) const;
+    glm::dvec3 draw_facets(const Facets& facets, const glm::dvec2& u) const;
+    glm::dvec3 base_value(const glm::dvec3& light) const;
+    double base_density(const glm::dvec3& light) const;
+    glm::dvec3 draw_base(const glm::dvec2& u) const;
+    double phong_density(const glm::dvec3& light) const;
+    glm::dvec3 draw_phong(const glm::dvec2& u) const;
 
     const Surface& surface_;
-    view::Model model_;
+    bool is_phong_;
     double compensation_;
-    glm::dvec2 albedo_{0.0}; ///< ggx: the two parts of the directional albedo
+    Facets base_;
+    std::vector<Facets> layers_; ///< from the lowest up
     double glossy_share_ = 1.0;
-    double diffuse_; ///< luminance of what is reflected so
-    double NV_;
+    double glossy_ = 0.0, diffuse_ = 0.0; ///< luminance of what the base reflects so
 };
-
-/// The two parts of the directional albedo of GGX (equations/energy.glsl) at a cosine and alpha.
-glm::dvec2 directional_albedo(double NV, double alpha);
 
 } // namespace lambent::reference

@@ -146,7 +146,8 @@ glm::dvec3 Path::light_from_emitters(const Surface& surface, const Reflection& r
     const double density = drawn.density * distance * distance / std::fabs(cosine);
     const bool alone = world_.strategy == Strategy::lights_only;
     const double weight = alone ? 1.0 : weight_of(density, reflection.density(direction));
-    return (there * weight / density) * value * world_.surfaces->at(drawn.hit, direction).emitted;
+    return (there * weight / density) * value *
+           emitted_by(world_.surfaces->at(drawn.hit, direction), world_.energy_compensation);
 }
 
 // What a surface that was met sends by itself: after a bounce, the part that light_from_emitters leaves to this. Backs of
@@ -157,12 +158,13 @@ glm::dvec3 Path::emitted(const trace::Hit& hit, const Surface& surface, int boun
         return glm::dvec3(0.0);
     const double by_area = world_.emitters && !surface.unlit ? world_.emitters->density(hit.instance) : 0.0;
     if (bounce == 0 || !(by_area > 0.0) || world_.strategy == Strategy::reflections_only)
-        return surface.emitted;
+        return emitted_by(surface, world_.energy_compensation);
     if (world_.strategy == Strategy::lights_only)
         return glm::dvec3(0.0);
     const glm::dvec3 way = surface.position - last_;
     const double cosine = std::max(glm::dot(surface.geometric, surface.view), 1e-9);
-    return weight_of(density_, by_area * glm::dot(way, way) / cosine) * surface.emitted;
+    return weight_of(density_, by_area * glm::dot(way, way) / cosine) *
+           emitted_by(surface, world_.energy_compensation);
 }
 
 glm::dvec3 Path::lamp(const scene::Light& light, const Surface& surface, const Reflection& reflection) const

@@ -1,6 +1,6 @@
 #include "reference/surface.h"
 
-#include "equations/in_double.h"
+#include "reference/material_in_double.h"
 #include "reference/texture.h"
 
 #include <glm/common.hpp>
@@ -12,9 +12,31 @@
 namespace lambent::reference {
 namespace {
 
-// As the renderers have it: below this a lobe is narrower than float arithmetic tells apart, and a normal that faces
-// further away is bent towards the viewer.
-constexpr double least_alpha = 1.0e-4, least_view_cosine = 1.0e-3;
+// As the renderers have it: a normal that faces further away is bent towards the viewer.
+constexpr double least_view_cosine = 1.0e-3;
+
+in_double::Texel texel(const glm::dvec4& v)
+{
+    return {v.r, v.g, v.b, v.a};
+}
+
+in_double::Material factors(const scene::Material& m)
+{
+    return {
+#define COLOR_AND_ALPHA(name, alpha, number, value, object, key, texture)                                    \
+    to_text(glm::dvec3(m.name)), static_cast<double>(m.name.a),
+#define COLOR(name, number, value, object, key, texture) to_text(glm::dvec3(m.name)),
+#define SCALAR(name, number, value, object, key, texture, channel) static_cast<double>(m.name),
+#define ROUGHNESS(name, factor, number, value, object, key, texture, channel) static_cast<double>(m.factor),
+#define STRENGTH(name, factor, number, value, object, key, texture, channel) static_cast<double>(m.factor),
+#include "shading/material/parameters.h"
+    };
+}
+
+glm::dvec3 given_or(const std::optional<glm::vec3>& given, const in_double::vec3& made)
+{
+    return given ? glm::dvec3(*given) : from_text(made);
+}
 
 glm::dvec3 unit_or(const glm::dvec3& v, const glm::dvec3& otherwise)
 {
@@ -99,53 +121,75 @@ double Surfaces::opacity(const trace::Hit& hit) const
     return std::clamp(alpha, 0.0, 1.0);
 }
 
-// In the world, on the side that the mesh's own normals are on; with the normal map. [glTF 2.0, 3.9.3]
-glm::dvec3 Surfaces::shading_normal(const Placed& placed, const Corners& c) const
+// In the world, on the side that the mesh's own normals are on.
+glm::dvec3 Surfaces::mesh_normal(const Placed& placed, const Corners& c) const
 {
-    const glm::dvec3 normal = unit_or(placed.normals * c.of(c.mesh.normals), glm::dvec3(0.0, 1.0, 0.0));
-    const scene::TextureUse& use = placed.material->normal_texture;
-    if (use.image < 0 || c.mesh.tangents.empty())
+    return unit_or(placed.normals * c.of(c.mesh.normals), glm::dvec3(0.0, 1.0, 0.0));
+}
+
+// The same with a map, if there is one. [glTF 2.0, 3.9.3]
+glm::dvec3 Surfaces::mapped_normal(const Placed& placed, const Corners& c, const NormalMap& map) const
+{
+    const glm::dvec3 normal = mesh_normal(placed, c);
+    if (map.use.image < 0 || c.mesh.tangents.empty())
         return normal;
     const glm::dvec3 tangent =
         unit_or(glm::dmat3(placed.transform) * glm::dvec3(c.of(c.mesh.tangents)), glm::dvec3(1.0, 0.0, 0.0));
     const double side = placed.handedness * static_cast<double>(c.mesh.tangents[c.index.x].w);
     const glm::dvec3 bitangent = side * glm::cross(normal, tangent);
-    const glm::dvec3 code = glm::dvec3(read(use, view::TexelTransfer::none, c)) * 2.0 - 1.0;
-    const double scale = placed.material->normal_scale;
-    return unit_or(scale * code.x * tangent + scale * code.y * bitangent + code.z * normal, normal);
+    const glm::dvec3 code = glm::dvec3(read(map.use, view::TexelTransfer::none, c)) * 2.0 - 1.0;
+    return unit_or(map.scale * code.x * tangent + map.scale * code.y * bitangent + code.z * normal, normal);
 }
 
-void Surfaces::fill_phong(const scene::Material& material, double roughness, Surface& surface) const
+glm::dvec3 Surfaces::facing(const glm::dvec3& normal, const glm::dvec3& view)
+{
+    return from_text(in_double::facing_normal(to_text(normal), to_text(view), least_view_cosine));
+}
+
+void Surfaces::fill_phong(const scene::Material& material, Surface& surface) const
 {
     const scene::PhongMaterial& given = material.phong;
-    const in_double::vec3 base(surface.base.x, surface.base.y, surface.base.z);
-    const in_double::vec3 F0 = in_double::base_reflectance(base, surface.metalness);
-    surface.specular = given.specular ? glm::dvec3(*given.specular) : glm::dvec3(F0.x, F0.y, F0.z);
-    surface.gloss = given.exponent ? static_cast<double>(*given.exponent)
-                                   : in_double::phong_exponent(roughness * roughness);
-    surface.base = given.diffuse ? glm::dvec3(*given.diffuse) : (1.0 - surface.metalness) * surface.base;
+    const PointMaterial& m = surface.material;
+    const in_double::Phong made = in_double::phong_from_metallic(to_text(m.base_color), m.metallic, m.alpha);
+    surface.phong.diffuse = given_or(given.diffuse, made.diffuse);
+    surface.phong.specular = given_or(given.specular, made.specular);
+    surface.phong.exponent = given.exponent ? static_cast<double>(*given.exponent) : made.exponent;
 }
 
-double Surfaces::roughness_of(const scene::Material& material, double texel) const
-{
-    if (roughness_)
-        return static_cast<double>(*roughness_);
-    return std::clamp(texel * static_cast<double>(material.perceptual_roughness), 0.0, 1.0);
-}
-
+// Opacity is asked for apart, by rays that meet a surface: here it is 1.
 void Surfaces::fill_material(const Placed& placed, const Corners& c, Surface& surface) const
 {
     const scene::Material& m = *placed.material;
-    surface.base = glm::dvec3(base_color(placed, c));
-    const glm::dvec4 rough = read(m.metallic_roughness_texture, view::TexelTransfer::none, c);
-    const double roughness = roughness_of(m, rough.g);
-    surface.metalness = std::clamp(rough.b * static_cast<double>(m.metallic), 0.0, 1.0);
+    const auto codes = [&](scene::TextureCodes kind) {
+        return kind == scene::TextureCodes::color ? transfer_ : view::TexelTransfer::none;
+    };
+    const in_double::Texels texels = {
+#define TEXTURE(name, number, transfer, object, key)                                                         \
+    texel(read(m.name##_texture, codes(scene::TextureCodes::transfer), c)),
+#define NORMAL_TEXTURE(name, number, object, key) texel(glm::dvec4(1.0)),
+#include "shading/material/textures.h"
+    };
+    const glm::dvec4 vertex = c.mesh.colors.empty() ? glm::dvec4(1.0) : c.of(c.mesh.colors);
+    surface.material =
+        from_text(in_double::material_of(factors(m), texels, texel(vertex), in_double::alpha_opaque));
+    if (roughness_)
+        surface.material.alpha = in_double::alpha_of_roughness(static_cast<double>(*roughness_));
     surface.unlit = m.unlit;
-    surface.emitted =
-        m.unlit ? surface.base : glm::dvec3(m.emissive) * glm::dvec3(read(m.emissive_texture, transfer_, c));
-    surface.gloss = std::max(roughness * roughness, least_alpha);
     if (model_ == view::Model::phong)
-        fill_phong(m, roughness, surface);
+        fill_phong(m, surface);
+}
+
+void Surfaces::fill_layers([[maybe_unused]] const Placed& placed, [[maybe_unused]] const Corners& c,
+                           [[maybe_unused]] double side, [[maybe_unused]] Surface& surface) const
+{
+#define LAYER(name, number, normal)                                                                          \
+    if (surface.material.name > 0.0)                                                                         \
+        surface.layers.push_back(                                                                            \
+            {number, facing(side * mapped_normal(placed, c,                                                  \
+                                                 {placed.material->normal##_texture,                         \
+                                                  static_cast<double>(placed.material->normal##_scale)}),    \
+                            surface.view)});
+#include "shading/lobes/layers.h"
 }
 
 Surface Surfaces::at(const trace::Hit& hit, const glm::dvec3& direction) const
@@ -158,13 +202,14 @@ Surface Surfaces::at(const trace::Hit& hit, const glm::dvec3& direction) const
     surface.view = -direction;
     const double side = hit.front ? 1.0 : -1.0;
     surface.geometric = side * glm::dvec3(hit.normal);
-    const glm::dvec3 normal = side * shading_normal(placed, corners);
-    const in_double::vec3 facing = in_double::facing_normal(
-        {normal.x, normal.y, normal.z}, {surface.view.x, surface.view.y, surface.view.z}, least_view_cosine);
-    surface.normal = {facing.x, facing.y, facing.z};
+    const NormalMap map = {placed.material->normal_texture,
+                           static_cast<double>(placed.material->normal_scale)};
+    surface.normal = facing(side * mapped_normal(placed, corners, map), surface.view);
     if (placed.is_line)
         surface.geometric = surface.normal;
     fill_material(placed, corners, surface);
+    if (model_ == view::Model::ggx)
+        fill_layers(placed, corners, side, surface);
     return surface;
 }
 

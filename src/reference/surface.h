@@ -40,10 +40,16 @@ private:
     struct Corners; ///< a triangle and the weights of its corners
     glm::dvec4 read(const scene::TextureUse& use, view::TexelTransfer transfer, const Corners& c) const;
     glm::dvec4 base_color(const Placed& placed, const Corners& c) const;
-    glm::dvec3 shading_normal(const Placed& placed, const Corners& c) const;
-    double roughness_of(const scene::Material& material, double texel) const;
+    struct NormalMap {
+        const scene::TextureUse& use;
+        double scale;
+    };
+    glm::dvec3 mesh_normal(const Placed& placed, const Corners& c) const;
+    glm::dvec3 mapped_normal(const Placed& placed, const Corners& c, const NormalMap& map) const;
+    static glm::dvec3 facing(const glm::dvec3& normal, const glm::dvec3& view);
     void fill_material(const Placed& placed, const Corners& c, Surface& surface) const;
-    void fill_phong(const scene::Material& material, double roughness, Surface& surface) const;
+    void fill_phong(const scene::Material& material, Surface& surface) const;
+    void fill_layers(const Placed& placed, const Corners& c, double side, Surface& surface) const;
 
     const scene::Scene& scene_;
     view::Model model_;

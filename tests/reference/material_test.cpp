@@ -124,9 +124,9 @@ TEST(ReferenceMaterial, GgxDrawsByItsDensity)
                 SCOPED_TRACE(::testing::Message()
                              << "alpha " << alpha << ", metalness " << metalness << ", NV " << NV);
                 Surface s = surface_seen_at(NV);
-                s.base = {0.3, 0.6, 0.9};
-                s.metalness = metalness;
-                s.gloss = alpha;
+                s.material.base_color = {0.3, 0.6, 0.9};
+                s.material.metallic = metalness;
+                s.material.alpha = alpha;
                 check(s, view::Model::ggx);
             }
 }
@@ -140,9 +140,7 @@ TEST(ReferenceMaterial, PhongDrawsByItsDensity)
                 continue;
             SCOPED_TRACE(::testing::Message() << "exponent " << exponent << ", NV " << NV);
             Surface s = surface_seen_at(NV);
-            s.base = {0.3, 0.6, 0.9};
-            s.specular = {0.2, 0.1, 0.05};
-            s.gloss = exponent;
+            s.phong = {{0.3, 0.6, 0.9}, {0.2, 0.1, 0.05}, exponent};
             check(s, view::Model::phong);
         }
 }
@@ -153,9 +151,9 @@ TEST(ReferenceMaterial, WhiteMetalReflectsAllLight)
         for (const double NV : {0.05, 0.2, 0.5, 0.999}) {
             SCOPED_TRACE(::testing::Message() << "alpha " << alpha << ", NV " << NV);
             Surface s = surface_seen_at(NV);
-            s.base = glm::dvec3(1.0);
-            s.metalness = 1.0;
-            s.gloss = alpha;
+            s.material.base_color = glm::dvec3(1.0);
+            s.material.metallic = 1.0;
+            s.material.alpha = alpha;
             EXPECT_NEAR(check(s, view::Model::ggx), 1.0, 5e-3);
         }
 }
@@ -171,9 +169,9 @@ TEST(ReferenceMaterial, IsReciprocal)
             return glm::normalize(glm::dvec3(d.x, d.y, std::fabs(d.z) + 0.05));
         };
         Surface there = surface_seen_at(1.0), back = there;
-        there.base = back.base = {0.3, 0.6, 0.9};
-        there.metalness = back.metalness = 1.0;
-        there.gloss = back.gloss = 0.3;
+        there.material.base_color = back.material.base_color = {0.3, 0.6, 0.9};
+        there.material.metallic = back.material.metallic = 1.0;
+        there.material.alpha = back.material.alpha = 0.3;
         there.view = direction(), back.view = direction();
         const double one = Reflection(there, view::Model::ggx, false).value(back.view).x / back.view.z;
         const double other = Reflection(back, view::Model::ggx, false).value(there.view).x / there.view.z;
@@ -184,7 +182,7 @@ TEST(ReferenceMaterial, IsReciprocal)
 TEST(ReferenceMaterial, NothingIsReflectedFromBelow)
 {
     Surface s = surface_seen_at(0.5);
-    s.base = glm::dvec3(0.5);
+    s.material.base_color = s.phong.diffuse = glm::dvec3(0.5);
     for (const view::Model model : {view::Model::ggx, view::Model::phong})
         EXPECT_EQ(Reflection(s, model, true).value(glm::normalize(glm::dvec3(-0.8, 0.1, -0.01))),
                   glm::dvec3(0.0));

@@ -146,7 +146,7 @@ TEST(ReferenceSurface, TexturesTakeTheirSetOfCoordinates)
     for (const int set : {0, 1}) {
         scene.meshes[0].texcoords[set].assign(4, {set == 0 ? 0.375f : 0.625f, 0.5f});
         scene.materials[0].metallic_roughness_texture.texcoord = set;
-        EXPECT_NEAR(meet(scene, 0.1f, 0.2f).surface.gloss, set == 0 ? 0.04 : 0.36, 1e-6);
+        EXPECT_NEAR(meet(scene, 0.1f, 0.2f).surface.material.alpha, set == 0 ? 0.04 : 0.36, 1e-6);
     }
 }
 
@@ -165,10 +165,10 @@ TEST(ReferenceSurface, ColoursAreFactorTimesTextureTimesVertices)
     scene.meshes[0].colors = {{0, 1, 1, 1}, {1, 1, 1, 1}, {1, 1, 1, 1}, {0, 1, 1, 1}};
     const Met met = meet(scene, 0.5f, 0.1f);
     const double green = std::pow((188.0 / 255.0 + 0.055) / 1.055, 2.4); // [IEC 61966-2-1]
-    expect_vector(met.surface.base, {0.5 * 0.75, 0.5 * green, 0.0});
-    expect_vector(met.surface.emitted, {2.0, 3.0 * green, 0.0});
-    EXPECT_NEAR(met.surface.metalness, 0.25 * 0.4, 1e-6);
-    EXPECT_NEAR(met.surface.gloss, std::pow(0.5 * 0.8, 2.0), 1e-6);
+    expect_vector(met.surface.material.base_color, {0.5 * 0.75, 0.5 * green, 0.0});
+    expect_vector(emitted_by(met.surface, true), {2.0, 3.0 * green, 0.0});
+    EXPECT_NEAR(met.surface.material.metallic, 0.25 * 0.4, 1e-6);
+    EXPECT_NEAR(met.surface.material.alpha, std::pow(0.5 * 0.8, 2.0), 1e-6);
     EXPECT_NEAR(met.opacity, 128.0 / 255.0, 1e-6);
 }
 
@@ -180,8 +180,9 @@ TEST(ReferenceSurface, OneRoughnessIsThatOfAllMaterials)
     scene::Scene textured = scene_of(facing_square(1.0f, 0.0f), material);
     textured.images.push_back({2, 1, 4, 8, {0, 30, 255, 255, 0, 250, 80, 255}});
     const scene::Scene plain = scene_of(facing_square(1.0f, 0.0f), metallic(0.7f, 0.0f, 0.3f));
-    EXPECT_NEAR(meet(textured, 0.1f, 0.2f, view::Model::ggx, 0.3f).surface.gloss, 0.09, 1e-7);
-    EXPECT_NE(meet(textured, 0.1f, 0.2f).surface.gloss, meet(plain, 0.1f, 0.2f).surface.gloss);
+    EXPECT_NEAR(meet(textured, 0.1f, 0.2f, view::Model::ggx, 0.3f).surface.material.alpha, 0.09, 1e-7);
+    EXPECT_NE(meet(textured, 0.1f, 0.2f).surface.material.alpha,
+              meet(plain, 0.1f, 0.2f).surface.material.alpha);
     const image::RadianceImage light =
         panorama_of(16, [](const glm::dvec3& d) { return glm::dvec3(1.0) + 0.5 * d; });
     Settings settings = small_settings(8, 1.0f, 16);
@@ -211,16 +212,16 @@ TEST(ReferenceSurface, ThePhongModelTakesWhatItIsGiven)
     const scene::Scene given =
         scene_of(facing_square(1.0f, 0.0f), phong({0.1f, 0.2f, 0.3f}, {0.4f, 0.5f, 0.6f}, 70.0f));
     const Surface surface = meet(given, 0.1f, 0.2f, view::Model::phong).surface;
-    expect_vector(surface.base, {0.1, 0.2, 0.3});
-    expect_vector(surface.specular, {0.4, 0.5, 0.6});
-    EXPECT_EQ(surface.gloss, 70.0);
+    expect_vector(surface.phong.diffuse, {0.1, 0.2, 0.3});
+    expect_vector(surface.phong.specular, {0.4, 0.5, 0.6});
+    EXPECT_EQ(surface.phong.exponent, 70.0);
     // Otherwise of metal and roughness: the same peak as GGX, 2 / alpha^2 - 2.
     const Surface made =
         meet(scene_of(facing_square(1.0f, 0.0f), metallic(0.8f, 0.25f, 0.5f)), 0.1f, 0.2f, view::Model::phong)
             .surface;
-    EXPECT_NEAR(made.gloss, 2.0 / 0.0625 - 2.0, 1e-4);
-    EXPECT_NEAR(made.base.x, 0.75 * 0.8, 1e-6);
-    EXPECT_NEAR(made.specular.x, 0.75 * 0.04 + 0.25 * 0.8, 1e-6);
+    EXPECT_NEAR(made.phong.exponent, 2.0 / 0.0625 - 2.0, 1e-4);
+    EXPECT_NEAR(made.phong.diffuse.x, 0.75 * 0.8, 1e-6);
+    EXPECT_NEAR(made.phong.specular.x, 0.75 * 0.04 + 0.25 * 0.8, 1e-6);
 }
 
 double red(const scene::Sampler& sampler, double u, double v, const image::CodeImage& image)

@@ -3,8 +3,8 @@
 #include <hwy/foreach_target.h>
 #include "wide/highway.h"
 
-#include "draw/cpu/light_kernel.h"
 #include "albedo/albedo_table.h"
+#include "draw/cpu/light_kernel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,13 +77,6 @@ HWY_INLINE vec3 turned(const Environment& e, vec3 d)
 {
     const Real cosine = e.context->rotation_cosine, sine = e.context->rotation_sine;
     return vec3(cosine * d.x - sine * d.z, d.y, sine * d.x + cosine * d.z);
-}
-
-// The table's part of that number at whole coordinates.
-HWY_INLINE Real albedo_entry(Real column, Real row, int part)
-{
-    const Int index = hn::Add(hn::Mul(truncated(row), integer(albedo_table_size)), truncated(column));
-    return hn::GatherIndex(FloatTag(), albedo_table + part, hn::Add(index, index));
 }
 
 HWY_INLINE vec3 environment_irradiance(const Environment& e, vec3 d)
@@ -251,12 +244,11 @@ HWY_INLINE Real variance_of_level(const Environment& e, int level)
 }
 
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function" // surfaces are found elsewhere
+#pragma GCC diagnostic ignored "-Wunused-function"  // surfaces are found elsewhere
+#pragma GCC diagnostic ignored "-Wunused-parameter" // of lists without rows
 #include "shading/all.glsl"
 #include "shading/light_passes.glsl"
 #pragma GCC diagnostic pop
-
-static_assert(albedo_points == albedo_table_size);
 
 // Where a background's level lies between two, and what of each is read that is without lamps.
 void place_background(const environment::Environment& from, float level, Environment& e)
@@ -312,7 +304,7 @@ HWY_FLATTEN void light_directly(const LightContext& context, std::span<const Lig
         const Receiver receiver = receiver_at(f);
         vec3 sum(0.0);
         for (const LightSource& light : lights)
-            sum += direct_light(e, receiver, arrival_at(light, receiver.point));
+            sum += direct_light(e, f, receiver, arrival_at(light, receiver.point));
         store3(f, column_direct, sum);
     }
 }

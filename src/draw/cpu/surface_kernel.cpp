@@ -3,6 +3,7 @@
 #include <hwy/foreach_target.h>
 #include "wide/highway.h"
 
+#include "albedo/albedo_table.h"
 #include "draw/cpu/surface_kernel.h"
 
 #include <cmath>
@@ -79,6 +80,11 @@ LaneCorners<components> corners_of(const Source& s, const std::vector<Attribute>
 HWY_INLINE int model_of(const Source& s)
 {
     return s.context->model == Model::phong ? model_phong : model_ggx;
+}
+
+HWY_INLINE Real compensation_of(const Source& s)
+{
+    return s.context->energy_compensation ? 1.0 : 0.0;
 }
 
 HWY_INLINE SightRay sight_of(const Source& s)
@@ -268,10 +274,12 @@ HWY_INLINE GivenPhong given_phong(const Source& s)
 }
 
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function" // light is elsewhere
+#pragma GCC diagnostic ignored "-Wunused-function"  // light is elsewhere
+#pragma GCC diagnostic ignored "-Wunused-parameter" // of lists without rows
 #include "shading/surface_pass.glsl"
 #pragma GCC diagnostic pop
 
+static_assert(albedo_points == albedo_table_size);
 static_assert(static_cast<int>(scene::AlphaMode::opaque) == alpha_opaque &&
               static_cast<int>(scene::AlphaMode::mask) == alpha_mask &&
               static_cast<int>(scene::AlphaMode::blend) == alpha_blend);

@@ -34,6 +34,7 @@ private:
 struct SurfaceContext {
     RayMap rays;
     Model model = Model::ggx;
+    bool energy_compensation = true;
     const scene::Mesh* mesh = nullptr;
     const scene::Material* material = nullptr;
     MaterialTextures textures{};

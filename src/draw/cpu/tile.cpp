@@ -257,6 +257,7 @@ void TileDrawer::find_group(const Fragments::Group& group)
     SurfaceContext context = picture_.scene.surface(group.instance);
     context.rays = picture_.prepared.rays;
     context.model = picture_.settings.model;
+    context.energy_compensation = picture_.settings.energy_compensation;
     context.roughness = picture_.settings.roughness_override;
     find_surfaces(context, group.begin, group.end, fragments_);
 }

@@ -22,6 +22,13 @@ HWY_INLINE void store(const Fragment& f, int column, Real value)
     store(value, f.values + static_cast<size_t>(column) * f.capacity);
 }
 
+// The table's part of that number at whole coordinates.
+HWY_INLINE Real albedo_entry(Real column, Real row, int part)
+{
+    const Int index = hn::Add(hn::Mul(truncated(row), integer(albedo_table_size)), truncated(column));
+    return hn::GatherIndex(FloatTag(), albedo_table + part, hn::Add(index, index));
+}
+
 HWY_INLINE vec3 uniform(glm::vec3 v)
 {
     return vec3(v.x, v.y, v.z);

@@ -74,3 +74,5 @@ uint add_listed(uint count)
     return first;
 }
 #endif
+
+float albedo_entry(float column, float row, int part) { return albedos[picture.samples.y * int(row) + int(column)][part]; }

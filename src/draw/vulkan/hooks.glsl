@@ -47,7 +47,6 @@ vec3 turned(Environment e, vec3 d)
     return vec3(c * d.x - s * d.z, d.y, s * d.x + c * d.z);
 }
 
-float albedo_entry(float column, float row, int part) { return albedos[picture.samples.y * int(row) + int(column)][part]; }
 vec3 environment_irradiance(Environment e, vec3 d) { return picture.maps.x * textureLod(irradiance_map, d, 0.0).rgb; }
 
 int background_of(Environment e) { return picture.behind.x; }

@@ -16,6 +16,7 @@ Source source_at(uint at)
 }
 
 int model_of(Source s) { return model; }
+float compensation_of(Source s) { return picture.rotation.w; }
 SightRay sight_of(Source s) { return sight_through(s.place); }
 Triangle triangle_of(Source s) { return triangle_of(s.instance, s.mesh, s.corners); }
 Meeting meeting_of(Source s, SightRay sight, Triangle triangle) { return meeting_with(sight, triangle); }

@@ -6,6 +6,23 @@ Metallic metallic_of(Environment e, Material m)
     return r;
 }
 
+// A lobe over the base at a point: how much of it is there, 0 to 1, how it mirrors, and the share that it leaves to those below.
+struct Layer {
+    Real there;
+    ShinyPoint shiny;
+    Metallic facets;
+    vec2 albedo;
+    vec3 left;
+};
+
+Layer layer_at(Fragment f, Real there, Metallic facets, int number)
+{
+    ShinyPoint s = load_shine(f, number);
+    vec2 albedo = albedo_of(dot(s.normal, s.view), facets.alpha);
+    Layer layer = {there, s, facets, albedo, left_below(there, facets, albedo)};
+    return layer;
+}
+
 // A fragment as direct light meets it.
 struct Receiver {
     ShinyPoint shiny;
@@ -23,14 +40,37 @@ Receiver receiver_at(Fragment f)
     return r;
 }
 
+// `light` from below a lobe, and what that sends of light that arrives.
+vec3 direct_through(Layer layer, vec3 light, Arrival a)
+{
+    return layer.there * direct_metallic_in_pixel(layer.facets, layer.albedo, layer.shiny, a) + layer.left * light;
+}
+
 // What a fragment sends to the viewer of light that arrives: in the report's own order of things by one look, as it has it.
-vec3 direct_light(Environment e, Receiver r, Arrival a)
+vec3 direct_light(Environment e, Fragment f, Receiver r, Arrival a)
 {
     if (levels_of(e) == levels_pipeline)
         return direct_phong(r.phong, r.shiny.normal, r.shiny.view, a);
     if (model_of(e) == model_phong)
         return direct_phong_in_pixel(r.phong, r.shiny, a);
-    return direct_metallic_in_pixel(metallic_of(e, r.material), r.albedo, r.shiny, a);
+    vec3 light = direct_metallic_in_pixel(metallic_of(e, r.material), r.albedo, r.shiny, a);
+#define LAYER(name, number, texture)                                                                        \
+    if (any_of(r.material.name > 0.0))                                                                      \
+        light = direct_through(layer_at(f, r.material.name, facets_##name(r.material, compensation_of(e)), number), \
+                               light, a);
+#include "shading/lobes/layers.h"
+    return light;
+}
+
+// The light that the lobes over the base let through.
+vec3 through_layers(Environment e, Fragment f, Material m, vec3 light)
+{
+    vec3 left = light;
+#define LAYER(name, number, texture) \
+    if (any_of(m.name > 0.0))         \
+        left = layer_at(f, m.name, facets_##name(m, compensation_of(e)), number).left * left;
+#include "shading/lobes/layers.h"
+    return left;
 }
 
 void add_ambient(Environment e, Fragment f)
@@ -47,6 +87,7 @@ void add_ambient(Environment e, Fragment f)
     else {
         vec2 albedo = albedo_of(dot(s.normal, s.view), m.alpha);
         light = ambient_light(reflectance_metallic(metallic_of(e, m), albedo).diffuse, irradiance, brightness);
+        light = through_layers(e, f, m, light);
     }
     store3(f, column_irradiance, irradiance);
     store3(f, column_ambient, light);
@@ -76,11 +117,11 @@ vec3 reflected_phong(Environment e, Phong p, ShinyPoint s)
     return specular_phong(e, p, s, across);
 }
 
-vec3 reflected_metallic(Environment e, Material m, ShinyPoint s)
+vec3 reflected_metallic(Environment e, Metallic m, ShinyPoint s)
 {
     Mirror mirror = mirror_at(e, s, m.alpha);
     LobeLight light = specular_ggx(e, mirror);
-    Reflectance r = reflectance_metallic(metallic_of(e, m), mirror.albedo);
+    Reflectance r = reflectance_metallic(m, mirror.albedo);
     return r.plain * light.plain + r.grazing * light.grazing;
 }
 
@@ -98,14 +139,26 @@ Real middle_level(Environment e, Fragment f)
     return part_of_levels(middle_level_phong(e, in_environment(e, s), exponent), highest_level(e));
 }
 
+// `light` from below a lobe, and what that mirrors of the environment.
+vec3 reflected_through(Environment e, Layer layer, vec3 light)
+{
+    return layer.there * reflected_metallic(e, layer.facets, layer.shiny) + layer.left * light;
+}
+
 void add_specular(Environment e, Fragment f)
 {
     ShinyPoint s = load_shine(f, 0);
     vec3 light = vec3(0.0);
     if (model_of(e) == model_phong)
         light = reflected_phong(e, load_phong(f), in_environment(e, s));
-    else
-        light = reflected_metallic(e, load_material(f), s);
+    else {
+        Material m = load_material(f);
+        light = reflected_metallic(e, metallic_of(e, m), s);
+#define LAYER(name, number, texture)                                                                          \
+    if (any_of(m.name > 0.0))                                                                                 \
+        light = reflected_through(e, layer_at(f, m.name, facets_##name(m, compensation_of(e)), number), light);
+#include "shading/lobes/layers.h"
+    }
     store3(f, column_reflected, light);
 }
 

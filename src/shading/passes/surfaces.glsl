@@ -43,29 +43,43 @@ void store_models(Fragment f, Source s, Material m)
         store3(f, column_specular, base_reflectance(m.base_color, m.metallic));
 }
 
+// A triangle that is seen, and the mesh's own normal there.
+struct SeenPoint {
+    SightRay sight;
+    Facet facet;
+    Turning turning;
+};
+
+// The surface with a map on its normal, if the material has it.
+Surface mapped_surface(Source s, SeenPoint seen, Texel code, int texture)
+{
+    vec3 normal = bumped(s, seen.facet.at, seen.turning.normal, code, texture);
+    return surface_at(seen.sight, seen.facet, seen.turning, normal, handedness(s));
+}
+
 // All that the passes of light read. extent: side of the square that is lit as one, in pixels.
 void find_surface(Fragment f, Source s, Real extent)
 {
     SightRay sight = sight_of(s);
     Triangle triangle = triangle_of(s);
     Facet facet = facet_at(sight, triangle, meeting_of(s, sight, triangle));
-    Turning turning = turning_at(s, facet.at);
+    SeenPoint seen = {sight, facet, turning_at(s, facet.at)};
     Texel vertex = vertex_color(s, facet.at);
     Texels texels = texels_of(s, facet.at, vertex);
     Material m = material_of(factors_of(s), texels, vertex, alpha_mode(s));
     m.alpha = own_or_given_alpha(s, m.alpha);
-    vec3 normal = bumped(s, facet.at, turning.normal, texels.normal, texture_normal);
-    Surface surface = surface_at(sight, facet, turning, normal, handedness(s));
+    Surface base = mapped_surface(s, seen, texels.normal, texture_normal);
     store3(f, column_position, facet.position);
-    store(f, column_depth, surface.depth);
-    store3(f, column_view, surface.view);
-    store_shine(f, 0, surface, extent);
-#define LAYER(name, number, texture)                                                                                \
-    if (any_of(m.name > 0.0))                                                                                       \
-        store_shine(f, number,                                                                                      \
-                    surface_at(sight, facet, turning,                                                               \
-                               bumped(s, facet.at, turning.normal, texels.texture, texture_##texture), handedness(s)), \
-                    extent);
+    store(f, column_depth, base.depth);
+    store3(f, column_view, base.view);
+    store_shine(f, 0, base, extent);
+#define LAYER(name, number, texture)                                                                         \
+    if (any_of(m.name > 0.0)) {                                                                              \
+        Surface over = mapped_surface(s, seen, texels.texture, texture_##texture);                           \
+        store_shine(f, number, over, extent);                                                                \
+        m.emissive = left_below_at(m.name, facets_##name(m, compensation_of(s)), over.normal, over.view) *    \
+                     m.emissive;                                                                             \
+    }
 #include "shading/lobes/layers.h"
     store_models(f, s, m);
     Real lit = 1.0;
