@@ -2,8 +2,8 @@
 #include "reference/environment_light.h"
 
 #include "image/panorama_rows.h"
-#include "tests/equations/chi_square.h"
 #include "tests/reference/traced.h"
+#include "tests/support/chi_square.h"
 
 #include <algorithm>
 #include <random>
@@ -83,9 +83,7 @@ TEST(ReferenceEnvironmentLight, DensityIntegratesToOne)
 void expect_drawn_by_density(const image::RadianceImage& image, int columns, int rows, double rotation)
 {
     const EnvironmentLight light(image, rotation);
-    constexpr int count = 200000;
-    test::Cells cells;
-    cells.counted.resize(static_cast<std::size_t>(columns * rows), 0.0);
+    std::vector<double> probabilities;
     for (int y = 0; y < rows; ++y)
         for (int x = 0; x < columns; ++x) {
             double sum = 0.0; // 20 x 37 divides what the tests use
@@ -95,21 +93,21 @@ void expect_drawn_by_density(const image::RadianceImage& image, int columns, int
                                direction_of((x + (i + 0.5) / 20) / columns, (y + (j + 0.5) / 37) / rows),
                                rotation)) *
                            row_angle(37 * y + j, 37 * rows, 20 * columns);
-            cells.expected.push_back(count * sum);
+            probabilities.push_back(sum);
         }
     std::mt19937_64 random(5);
     std::uniform_real_distribution<double> uniform;
-    for (int i = 0; i < count; ++i) {
+    const auto draw = [&] {
         const double first = uniform(random);
         const EnvironmentLight::Drawn d = light.draw({first, uniform(random)});
         const glm::dvec2 place = light.place_of(d.direction);
-        ASSERT_NEAR(place.x, d.place.x, 1e-7);
-        ASSERT_NEAR(place.y, d.place.y, 1e-7);
-        ASSERT_NEAR(light.density_at(d.place), d.density, 1e-9 * d.density);
-        const auto of = [](double x, int n) { return std::clamp(static_cast<int>(x * n), 0, n - 1); };
-        ++cells.counted[static_cast<std::size_t>(of(place.y, rows) * columns + of(place.x, columns))];
-    }
-    EXPECT_GT(test::chi_square_p(cells), test::false_alarm);
+        EXPECT_NEAR(place.x, d.place.x, 1e-7);
+        EXPECT_NEAR(place.y, d.place.y, 1e-7);
+        EXPECT_NEAR(light.density_at(d.place), d.density, 1e-9 * d.density);
+        const auto width = static_cast<std::size_t>(columns), height = static_cast<std::size_t>(rows);
+        return test::part_of(place.y, height) * width + test::part_of(place.x, width);
+    };
+    EXPECT_TRUE(test::follows(test::count(200000, probabilities.size(), draw), probabilities));
 }
 
 TEST(ReferenceEnvironmentLight, DrawsByItsDensity)
