@@ -18,28 +18,6 @@ using std::numbers::pi;
 // More cells than this do not fit a processor's caches.
 constexpr int most_columns = 2048, most_rows = 1024;
 
-// The first of `count` ascending ends that is above u.
-template <class Number>
-int chosen(const Number* ends, int count, double u)
-{
-    const auto above = [](double a, Number b) { return a < static_cast<double>(b); };
-    return static_cast<int>(std::upper_bound(ends, ends + count - 1, u, above) - ends);
-}
-
-// What is between the end before the chosen one and it.
-struct Span {
-    double before, end;
-
-    template <class Number>
-    Span(const Number* ends, int count, int index)
-        : before(index > 0 ? static_cast<double>(ends[index - 1]) : 0.0),
-          end(index + 1 < count ? static_cast<double>(ends[index]) : 1.0)
-    {
-    }
-    double size() const { return end - before; }
-    double place(double u) const { return std::clamp((u - before) / std::max(size(), 1e-300), 0.0, 1.0); }
-};
-
 // Cosine of the polar angle at the top of row y of `rows`.
 double edge_cosine(int y, int rows)
 {
@@ -93,35 +71,22 @@ void EnvironmentLight::fill_cells()
 {
     columns_ = std::min(panorama_.width, most_columns);
     rows_ = std::min(panorama_.height, most_rows);
-    column_ends_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
-    row_ends_.resize(static_cast<std::size_t>(rows_));
+    choices_.resize(static_cast<std::size_t>(rows_));
     cell_angle_.resize(static_cast<std::size_t>(rows_));
+    std::vector<double> row_light(static_cast<std::size_t>(rows_));
     tbb::parallel_for(0, rows_, [&](int row) {
-        float* const ends =
-            column_ends_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
-        const double angle = 2.0 * pi / columns_ * (edge_cosine(row, rows_) - edge_cosine(row + 1, rows_));
-        std::vector<double> sums;
-        sums.reserve(static_cast<std::size_t>(columns_));
-        double sum = 0.0;
+        const std::size_t index = static_cast<std::size_t>(row);
+        std::vector<double> light;
+        light.reserve(static_cast<std::size_t>(columns_));
         for (int column = 0; column < columns_; ++column)
-            sums.push_back(sum += cell_light(column, row));
-        for (int column = 0; column < columns_; ++column)
-            ends[column] =
-                static_cast<float>(sums[static_cast<std::size_t>(column)] / (sum > 0.0 ? sum : 1.0));
-        cell_angle_[static_cast<std::size_t>(row)] = angle;
-        row_ends_[static_cast<std::size_t>(row)] = sum * angle;
+            light.push_back(cell_light(column, row));
+        choices_[index] = DiscreteDistribution<float>(light);
+        cell_angle_[index] = 2.0 * pi / columns_ * (edge_cosine(row, rows_) - edge_cosine(row + 1, rows_));
+        row_light[index] = choices_[index].sum() * cell_angle_[index];
     });
-    for (int row = 0; row < rows_; ++row)
-        for (int first = 0; first < columns_; first += block)
-            block_ends_.push_back(ends_of(row)[std::min(first + block, columns_) - 1]);
+    row_choice_ = DiscreteDistribution<double>(row_light);
     for (int row = 0; row <= rows_; ++row)
         edge_cosines_.push_back(edge_cosine(row, rows_));
-    double total = 0.0;
-    for (double& end : row_ends_)
-        end = total += end;
-    for (double& end : row_ends_)
-        end /= total > 0.0 ? total : 1.0;
-    dark_ = !(total > 0.0);
 }
 
 glm::dvec2 EnvironmentLight::place_of(const glm::dvec3& d) const
@@ -163,39 +128,20 @@ glm::dvec3 EnvironmentLight::radiance_at(const glm::dvec2& uv) const
     return rgb;
 }
 
-const float* EnvironmentLight::ends_of(int row) const
+double EnvironmentLight::cell_density(std::size_t row, std::size_t column) const
 {
-    return column_ends_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
-}
-
-// First the block, then the cell in it: two short searches in neighbouring memory instead of one all over the row.
-int EnvironmentLight::chosen_column(int row, double u) const
-{
-    const int blocks = (columns_ + block - 1) / block;
-    const float* ends = block_ends_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(blocks);
-    const int first = block * chosen(ends, blocks, u);
-    return first + chosen(ends_of(row) + first, std::min(block, columns_ - first), u);
-}
-
-double EnvironmentLight::cell_density(int row, int column) const
-{
-    // By the same numbers that draw() chooses by: the density is exactly its own.
-    return Span(row_ends_.data(), rows_, row).size() * Span(ends_of(row), columns_, column).size() /
-           cell_angle_[static_cast<std::size_t>(row)];
+    return row_choice_.probability(row) * choices_[row].probability(column) / cell_angle_[row];
 }
 
 EnvironmentLight::Drawn EnvironmentLight::draw(const glm::dvec2& u) const
 {
-    if (dark_)
+    if (!(row_choice_.sum() > 0.0))
         return {};
-    const int row = chosen(row_ends_.data(), rows_, u.y);
-    const int column = chosen_column(row, u.x);
-    const double below = Span(row_ends_.data(), rows_, row).place(u.y);
-    const double right = Span(ends_of(row), columns_, column).place(u.x);
-    const double top = edge_cosines_[static_cast<std::size_t>(row)];
-    const double bottom = edge_cosines_[static_cast<std::size_t>(row) + 1];
+    const auto [row, below] = row_choice_.draw(u.y);
+    const auto [column, right] = choices_[row].draw(u.x);
+    const double top = edge_cosines_[row], bottom = edge_cosines_[row + 1];
     const double y = top + below * (bottom - top), sine = std::sqrt(std::max(1.0 - y * y, 0.0));
-    const double across = (column + right) / columns_, phi = (across - 0.5) * 2.0 * pi;
+    const double across = (static_cast<double>(column) + right) / columns_, phi = (across - 0.5) * 2.0 * pi;
     const double px = sine * std::cos(phi), pz = sine * std::sin(phi);
     return {{cosine_ * px + sine_ * pz, y, cosine_ * pz - sine_ * px},
             {across, std::acos(std::clamp(y, -1.0, 1.0)) / pi},
@@ -204,11 +150,11 @@ EnvironmentLight::Drawn EnvironmentLight::draw(const glm::dvec2& u) const
 
 double EnvironmentLight::density_at(const glm::dvec2& uv) const
 {
-    if (dark_)
+    if (!(row_choice_.sum() > 0.0))
         return 0.0;
     const int column = std::clamp(static_cast<int>(uv.x * columns_), 0, columns_ - 1);
     const int row = std::clamp(static_cast<int>(uv.y * rows_), 0, rows_ - 1);
-    return cell_density(row, column);
+    return cell_density(static_cast<std::size_t>(row), static_cast<std::size_t>(column));
 }
 
 } // namespace lambent::reference
