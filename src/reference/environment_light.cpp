@@ -2,7 +2,7 @@
 
 #include "equations/in_double.h"
 #include "image/luminance.h"
-#include "image/panorama_rows.h"
+#include "image/panorama_lookup.h"
 
 #include <tbb/parallel_for.h>
 
@@ -28,23 +28,21 @@ double edge_cosine(int y, int rows)
 
 EnvironmentLight::EnvironmentLight(const image::RadianceImage& panorama, double rotation)
     : panorama_(panorama), cosine_(std::cos(rotation)), sine_(std::sin(rotation)),
-      row_places_(image::row_angles(panorama.height))
+      picture_rows_(panorama.height)
 {
-    for (double& place : row_places_)
-        place /= pi;
     fill_cells();
 }
 
 // Mean of the bilinear picture over texel (x, y), nearly: of each neighbour 1/8, 3/4 and 1/8 along each axis.
 double EnvironmentLight::smoothed_luminance(int x, int y) const
 {
-    const int width = panorama_.width, height = panorama_.height;
     double sum = 0.0;
     for (int j = -1; j <= 1; ++j)
         for (int i = -1; i <= 1; ++i) {
-            const int column = (x + i + width) % width, row = std::clamp(y + j, 0, height - 1);
+            const image::PanoramaTexel at =
+                image::texel_across(x + i, y + j, panorama_.width, panorama_.height);
             sum += (i == 0 ? 0.75 : 0.125) * (j == 0 ? 0.75 : 0.125) *
-                   image::luminance(panorama_.pixel(column, row));
+                   image::luminance(panorama_.pixel(at.x, at.y));
         }
     return sum;
 }
@@ -96,36 +94,12 @@ glm::dvec2 EnvironmentLight::place_of(const glm::dvec3& d) const
     return {uv.x, uv.y};
 }
 
-// The rows between which v lies. They are less than half a row from where their middles are.
-EnvironmentLight::Rows EnvironmentLight::rows_at(double v) const
-{
-    const int last = panorama_.height - 1;
-    const auto place = [this](int row) { return row_places_[static_cast<std::size_t>(row)]; };
-    int above = std::clamp(static_cast<int>(std::floor(v * panorama_.height - 0.5)), 0, last);
-    if (above < last && v >= place(above + 1))
-        ++above;
-    else if (above > 0 && v < place(above))
-        --above;
-    if (above == last || v <= place(above))
-        return {above, above, 0.0};
-    return {above, above + 1, (v - place(above)) / (place(above + 1) - place(above))};
-}
-
 glm::dvec3 EnvironmentLight::radiance_at(const glm::dvec2& uv) const
 {
-    const int width = panorama_.width;
-    const double x = uv.x * width - 0.5, left = std::floor(x), right = x - left;
-    const int x0 = (static_cast<int>(left) + width) % width, x1 = (x0 + 1) % width;
-    const Rows rows = rows_at(uv.y);
-    const float *a = panorama_.pixel(x0, rows.above), *b = panorama_.pixel(x1, rows.above);
-    const float *c = panorama_.pixel(x0, rows.below), *d = panorama_.pixel(x1, rows.below);
-    glm::dvec3 rgb;
-    for (int k = 0; k < 3; ++k) {
-        const double upper = static_cast<double>(a[k]) + right * static_cast<double>(b[k] - a[k]);
-        const double lower = static_cast<double>(c[k]) + right * static_cast<double>(d[k] - c[k]);
-        rgb[k] = upper + rows.share * (lower - upper);
-    }
-    return rgb;
+    const std::array<double, 3> rgb = image::bilinear(
+        image::columns_around(uv.x, panorama_.width), picture_rows_.around(uv.y), panorama_.width,
+        panorama_.height, [this](int x, int y) { return panorama_.pixel(x, y); });
+    return {rgb[0], rgb[1], rgb[2]};
 }
 
 double EnvironmentLight::cell_density(std::size_t row, std::size_t column) const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "image/panorama_rows.h"
 #include "reference/discrete_distribution.h"
 
 #include <glm/ext/vector_double2.hpp>
@@ -12,8 +13,8 @@
 namespace lambent::reference {
 
 /// Light that arrives from infinitely far away, RGB radiance by direction: bilinear between the texels of an
-/// equirectangular picture, columns going round, rows ending at the poles and lying at image::row_angles(), so that each
-/// texel gives its radiance times its solid angle, a sun in the zenith too.
+/// equirectangular picture, columns going round, rows lying at image::row_angles() and going on across the poles, so that
+/// each texel gives its radiance times its solid angle, a sun in the zenith too.
 class EnvironmentLight {
 public:
     /// Finite, not negative RGB, at least 2x1; must outlive this. rotation as view::Picture::environment_rotation.
@@ -41,12 +42,6 @@ public:
     double density_at(const glm::dvec2& uv) const;
 
 private:
-    struct Rows {
-        int above, below;
-        double share; ///< of the one below
-    };
-
-    Rows rows_at(double v) const;
     void fill_cells();
     double smoothed_luminance(int x, int y) const;
     double cell_light(int column, int row) const;
@@ -54,7 +49,7 @@ private:
 
     const image::RadianceImage& panorama_;
     double cosine_, sine_;
-    std::vector<double> row_places_;                   ///< where the picture's rows lie, 0 to 1
+    image::PanoramaRows picture_rows_;
     int columns_ = 0, rows_ = 0;                       ///< of cells
     DiscreteDistribution<double> row_choice_;          ///< of a row of cells
     std::vector<DiscreteDistribution<float>> choices_; ///< within each row; in double they fill the caches

@@ -194,7 +194,13 @@ TEST(ReferenceEnvironmentLight, RadianceIsBilinear)
                 EXPECT_LT(glm::length(at(x + 0.5, row) - texel(x, y)), 1e-6);
                 EXPECT_LT(glm::length(at(x + 0.75, row) - 0.75 * texel(x, y) - 0.25 * texel(x + 1, y)), 1e-6);
                 EXPECT_LT(glm::length(at(x + 1e-9, row) - 0.5 * (texel(x, y) + texel(x - 1, y))), 1e-5);
-                EXPECT_LT(glm::length(at(x + 0.5, y < 2 ? 0.1 : 3.9) - texel(x, y < 2 ? 0 : 3)), 1e-6);
+                // From the last row to itself, half a turn away; the pole is half way.
+                const int pole = y < 2 ? 0 : height - 1;
+                const double opposite = 0.5 - 0.5 * 0.1 / rows.front();
+                EXPECT_LT(glm::length(at(x + 0.5, y < 2 ? 0.1 : height - 0.1) -
+                                      (1.0 - opposite) * texel(x, pole) -
+                                      opposite * texel(x + width / 2, pole)),
+                          1e-6);
                 if (y + 1 == height)
                     continue;
                 const double between = 0.75 * row + 0.25 * rows[static_cast<std::size_t>(y) + 1];
@@ -205,6 +211,28 @@ TEST(ReferenceEnvironmentLight, RadianceIsBilinear)
         EXPECT_TRUE(up >= 1.0 && up <= 50.0) << up;
         EXPECT_TRUE(down >= 31.0 && down <= 80.0) << down;
     }
+}
+
+// Light that grows linearly in a horizontal direction does so across the poles, where a picture that ended there would have
+// steps as large as its first row is from the pole.
+TEST(ReferenceEnvironmentLight, GoesOnAcrossThePoles)
+{
+    const int width = 256, height = 16;
+    const std::vector<double> angles = image::row_angles(height);
+    const auto expected = [](const glm::dvec3& d) { return 2.0 + 0.8 * d.x - 0.6 * d.z; };
+    const image::RadianceImage image = picture(width, height, [&](int x, int y) {
+        return expected(direction_of((x + 0.5) / width, angles[static_cast<std::size_t>(y)] / pi));
+    });
+    const EnvironmentLight light(image, 0.0);
+    for (int i = 0; i <= 40; ++i)
+        for (int j = 0; j < 100; ++j) {
+            const double polar = i / 40.0 * angles.front();
+            for (const double angle : {polar, pi - polar}) {
+                const glm::dvec3 d = direction_of((j + 0.3) / 100, angle / pi);
+                // Along a meridian a sine is linear but for its third order, across columns but for its second.
+                EXPECT_NEAR(light.radiance(d).x, expected(d), 0.01 * angles.front()) << i << ", " << j;
+            }
+        }
 }
 
 TEST(ReferenceEnvironmentLight, ABlackOneIsNeverDrawn)

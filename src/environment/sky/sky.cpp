@@ -2,6 +2,7 @@
 
 #include "environment/sky/sky_table.h"
 #include "environment/sky/sun_disc.h"
+#include "image/panorama_rows.h"
 
 #include <tbb/parallel_for.h>
 
@@ -39,7 +40,7 @@ std::vector<Column> make_columns(int width, double sun_azimuth, int angles)
 {
     std::vector<Column> columns;
     for (int x = 0; x < width; ++x) {
-        const double azimuth = ((x + 0.5) / width - 0.5) * 2.0 * pi;
+        const double azimuth = image::column_azimuth(x + 0.5, width);
         const double from_sun = std::fabs(std::remainder(azimuth - sun_azimuth, 2.0 * pi));
         const double place = from_sun / pi * (angles - 1);
         const int angle = std::min(static_cast<int>(place), angles - 2);
