@@ -8,22 +8,13 @@
 #include <cmath>
 
 namespace lambent::reference {
-namespace {
-
-const scene::Material& material_of(const scene::Scene& scene, const scene::Instance& instance)
-{
-    const int own = scene.meshes[static_cast<std::size_t>(instance.mesh)].material;
-    return scene.materials[static_cast<std::size_t>(instance.material >= 0 ? instance.material : own)];
-}
-
-} // namespace
 
 Emitters::Emitters(const scene::Scene& scene)
 {
     std::vector<double> light; // by triangle
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
         const scene::Instance& instance = scene.instances[i];
-        const scene::Material& material = material_of(scene, instance);
+        const scene::Material& material = scene.materials[scene::material_of(scene, instance)];
         const double radiance = material.unlit ? 0.0 : image::luminance(&material.emissive.r);
         densities_.push_back(radiance);
         if (!(radiance > 0.0))

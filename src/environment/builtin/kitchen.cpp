@@ -29,17 +29,10 @@ extern const std::uint8_t lambent_kitchen_end[];
 namespace lambent::environment {
 namespace {
 
-image::RadianceImage blank(int width)
-{
-    image::RadianceImage image{width, width / 2, 3, {}};
-    image.values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(width / 2) * 3);
-    return image;
-}
-
 // Each texel the mean of four by their solid angle.
 image::RadianceImage halved(const image::RadianceImage& from)
 {
-    image::RadianceImage to = blank(from.width / 2);
+    image::RadianceImage to = image::black_image(from.width / 2, from.height / 2);
     const double step = std::numbers::pi / from.height;
     tbb::parallel_for(0, to.height, [&](int y) {
         const double top = std::cos(2 * y * step), middle = std::cos((2 * y + 1) * step),
@@ -57,7 +50,7 @@ image::RadianceImage halved(const image::RadianceImage& from)
 // Twice as wide and high, bilinear, across the poles too.
 image::RadianceImage doubled(const image::RadianceImage& from)
 {
-    image::RadianceImage to = blank(2 * from.width);
+    image::RadianceImage to = image::black_image(2 * from.width, 2 * from.height);
     tbb::parallel_for(0, to.height, [&](int y) {
         const int near_y = y / 2, far_y = near_y + (y % 2 == 0 ? -1 : 1);
         const auto texel = [&](int x, int row) {

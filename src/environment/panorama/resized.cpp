@@ -101,8 +101,7 @@ std::vector<double> mixed_row(const Panorama& from, const PixelShares& shares)
 
 Panorama resized(const Panorama& from, int width, int height)
 {
-    image::RadianceImage image{width, height, 3, {}};
-    image.values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
+    image::RadianceImage image = image::black_image(width, height);
     const std::vector<double> angles = image::row_angles(from.height);
     const std::vector<PixelShares> columns = all_column_shares(from.width, width);
     const double step = std::numbers::pi / height;

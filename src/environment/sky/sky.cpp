@@ -77,8 +77,7 @@ void fill_row(const SkyTable::Row& row, const RowGeometry& geometry, const std::
 image::RadianceImage make_sky(const SkyOptions& options)
 {
     const int width = options.width, height = width / 2;
-    image::RadianceImage panorama{width, height, 3, {}};
-    panorama.values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
+    image::RadianceImage panorama = image::black_image(width, height);
     const double sun_elevation = std::min(static_cast<double>(options.sun_elevation), 0.5 * pi);
     const double sun_azimuth = panorama_azimuth(options.sun_azimuth);
     const ClearSky sky(sun_elevation, static_cast<double>(options.turbidity));

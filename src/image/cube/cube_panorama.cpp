@@ -67,8 +67,7 @@ RadianceImage equirectangular_image(const CubeMap& map, int level, int height)
     if (level < 0 || level >= map.levels)
         throw Error(Failure::usage, text("level ", level, " of a cube map that has ", map.levels));
     const int width = 2 * height, size = map.face_size(level);
-    RadianceImage image{width, height, 3, {}};
-    image.values.resize(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    RadianceImage image = black_image(width, height);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const in_double::vec3 d =
