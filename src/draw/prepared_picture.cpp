@@ -11,13 +11,6 @@
 namespace lambent::draw {
 namespace {
 
-image::RadianceImage blank(int width, int height)
-{
-    image::RadianceImage image{width, height, 4, {}};
-    image.values.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4, 0.0f);
-    return image;
-}
-
 // N places in the unit square with different rows and columns each. [Hammersley 1960]
 std::vector<glm::vec2> subpixel_places(int count)
 {
@@ -119,15 +112,17 @@ std::vector<LightSource> light_sources(std::span<const scene::Light> lights,
 Frame blank_frame(const Settings& settings, const scene::Scene& scene)
 {
     Frame frame;
-    frame.radiance = blank(settings.width, settings.height);
+    frame.radiance = image::black_image(settings.width, settings.height, 4);
     if (std::any_of(scene.materials.begin(), scene.materials.end(),
                     [](const scene::Material& material) { return material.unlit; }))
         frame.radiance.unlit = frame.radiance.values;
     if (!settings.layers)
         return frame;
     for (const LayerSource& source : layer_sources(settings.model))
-        frame.layers.push_back({source.name, source.kind, blank(settings.width, settings.height)});
-    frame.layers.push_back({background_layer, Layer::Kind::light, blank(settings.width, settings.height)});
+        frame.layers.push_back(
+            {source.name, source.kind, image::black_image(settings.width, settings.height, 4)});
+    frame.layers.push_back(
+        {background_layer, Layer::Kind::light, image::black_image(settings.width, settings.height, 4)});
     return frame;
 }
 

@@ -30,6 +30,15 @@ private:
     }
 };
 
+/// A picture in which everything is 0.
+inline RadianceImage black_image(int width, int height, int channels = 3)
+{
+    RadianceImage image{width, height, channels, {}};
+    image.values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                        static_cast<std::size_t>(channels));
+    return image;
+}
+
 /// Code values: what a PNG or a JPEG holds and a display shows, or what a texture stores. Which transfer
 /// function they went through is known by whoever uses them, not here. Same order as RadianceImage.
 struct CodeImage {

@@ -36,4 +36,18 @@ std::vector<double> row_angles(int height)
     return angles;
 }
 
+double texel_solid_angle(int width, int height, int y)
+{
+    const double step = std::numbers::pi / height;
+    return 2.0 * std::numbers::pi / width * (std::cos(y * step) - std::cos((y + 1) * step));
+}
+
+PanoramaRows::PanoramaRows(int height) : height_(height), places_(row_angles(height))
+{
+    for (double& place : places_)
+        place /= std::numbers::pi;
+    places_.insert(places_.begin(), -places_.front());
+    places_.push_back(2.0 - places_.back());
+}
+
 } // namespace lambent::image

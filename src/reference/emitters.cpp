@@ -5,26 +5,16 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include <algorithm>
 #include <cmath>
 
 namespace lambent::reference {
-namespace {
-
-const scene::Material& material_of(const scene::Scene& scene, const scene::Instance& instance)
-{
-    const int own = scene.meshes[static_cast<std::size_t>(instance.mesh)].material;
-    return scene.materials[static_cast<std::size_t>(instance.material >= 0 ? instance.material : own)];
-}
-
-} // namespace
 
 Emitters::Emitters(const scene::Scene& scene)
 {
-    double total = 0.0;
+    std::vector<double> light; // by triangle
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
         const scene::Instance& instance = scene.instances[i];
-        const scene::Material& material = material_of(scene, instance);
+        const scene::Material& material = scene.materials[scene::material_of(scene, instance)];
         const double radiance = material.unlit ? 0.0 : image::luminance(&material.emissive.r);
         densities_.push_back(radiance);
         if (!(radiance > 0.0))
@@ -41,20 +31,17 @@ Emitters::Emitters(const scene::Scene& scene)
             if (!(twice_area > 0.0f) || !std::isfinite(twice_area))
                 continue;
             triangles_.push_back({i, t, a, e1, e2, side / twice_area * across});
-            total += radiance * 0.5 * static_cast<double>(twice_area);
-            ends_.push_back(total);
+            light.push_back(radiance * 0.5 * static_cast<double>(twice_area));
         }
     }
-    for (double& end : ends_)
-        end /= total;
+    choice_ = DiscreteDistribution<double>(light);
     for (double& density : densities_)
-        density = total > 0.0 ? density / total : 0.0;
+        density = choice_.sum() > 0.0 ? density / choice_.sum() : 0.0;
 }
 
 Emitters::Drawn Emitters::draw(const std::array<double, 3>& u) const
 {
-    const auto found = std::upper_bound(ends_.begin(), ends_.end() - 1, u[0]);
-    const Triangle& triangle = triangles_[static_cast<std::size_t>(found - ends_.begin())];
+    const Triangle& triangle = triangles_[choice_.draw(u[0]).index];
     // Uniform over the triangle. [Osada et al. 2002, "Shape distributions", 4.2]
     const double root = std::sqrt(u[1]), b = root * (1.0 - u[2]), c = root * u[2];
     Drawn drawn;

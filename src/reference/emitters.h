@@ -1,6 +1,7 @@
 // Surfaces that shine, as lights: points on them drawn in proportion to what they send out.
 #pragma once
 
+#include "reference/discrete_distribution.h"
 #include "reference/surface.h"
 #include "scene/scene.h"
 #include "trace/visibility.h"
@@ -39,8 +40,8 @@ private:
         glm::vec3 normal;               ///< unit
     };
     std::vector<Triangle> triangles_;
-    std::vector<double> ends_;      ///< cumulative share of the light, one per triangle
-    std::vector<double> densities_; ///< per instance
+    DiscreteDistribution<double> choice_; ///< of a triangle, by the light that it sends out
+    std::vector<double> densities_;       ///< per instance
 };
 
 } // namespace lambent::reference

@@ -2,7 +2,7 @@
 
 #include "equations/in_double.h"
 #include "image/luminance.h"
-#include "image/panorama_rows.h"
+#include "image/panorama_lookup.h"
 
 #include <tbb/parallel_for.h>
 
@@ -18,28 +18,6 @@ using std::numbers::pi;
 // More cells than this do not fit a processor's caches.
 constexpr int most_columns = 2048, most_rows = 1024;
 
-// The first of `count` ascending ends that is above u.
-template <class Number>
-int chosen(const Number* ends, int count, double u)
-{
-    const auto above = [](double a, Number b) { return a < static_cast<double>(b); };
-    return static_cast<int>(std::upper_bound(ends, ends + count - 1, u, above) - ends);
-}
-
-// What is between the end before the chosen one and it.
-struct Span {
-    double before, end;
-
-    template <class Number>
-    Span(const Number* ends, int count, int index)
-        : before(index > 0 ? static_cast<double>(ends[index - 1]) : 0.0),
-          end(index + 1 < count ? static_cast<double>(ends[index]) : 1.0)
-    {
-    }
-    double size() const { return end - before; }
-    double place(double u) const { return std::clamp((u - before) / std::max(size(), 1e-300), 0.0, 1.0); }
-};
-
 // Cosine of the polar angle at the top of row y of `rows`.
 double edge_cosine(int y, int rows)
 {
@@ -50,23 +28,21 @@ double edge_cosine(int y, int rows)
 
 EnvironmentLight::EnvironmentLight(const image::RadianceImage& panorama, double rotation)
     : panorama_(panorama), cosine_(std::cos(rotation)), sine_(std::sin(rotation)),
-      row_places_(image::row_angles(panorama.height))
+      picture_rows_(panorama.height)
 {
-    for (double& place : row_places_)
-        place /= pi;
     fill_cells();
 }
 
 // Mean of the bilinear picture over texel (x, y), nearly: of each neighbour 1/8, 3/4 and 1/8 along each axis.
 double EnvironmentLight::smoothed_luminance(int x, int y) const
 {
-    const int width = panorama_.width, height = panorama_.height;
     double sum = 0.0;
     for (int j = -1; j <= 1; ++j)
         for (int i = -1; i <= 1; ++i) {
-            const int column = (x + i + width) % width, row = std::clamp(y + j, 0, height - 1);
+            const image::PanoramaTexel at =
+                image::texel_across(x + i, y + j, panorama_.width, panorama_.height);
             sum += (i == 0 ? 0.75 : 0.125) * (j == 0 ? 0.75 : 0.125) *
-                   image::luminance(panorama_.pixel(column, row));
+                   image::luminance(panorama_.pixel(at.x, at.y));
         }
     return sum;
 }
@@ -93,35 +69,22 @@ void EnvironmentLight::fill_cells()
 {
     columns_ = std::min(panorama_.width, most_columns);
     rows_ = std::min(panorama_.height, most_rows);
-    column_ends_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
-    row_ends_.resize(static_cast<std::size_t>(rows_));
+    choices_.resize(static_cast<std::size_t>(rows_));
     cell_angle_.resize(static_cast<std::size_t>(rows_));
+    std::vector<double> row_light(static_cast<std::size_t>(rows_));
     tbb::parallel_for(0, rows_, [&](int row) {
-        float* const ends =
-            column_ends_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
-        const double angle = 2.0 * pi / columns_ * (edge_cosine(row, rows_) - edge_cosine(row + 1, rows_));
-        std::vector<double> sums;
-        sums.reserve(static_cast<std::size_t>(columns_));
-        double sum = 0.0;
+        const std::size_t index = static_cast<std::size_t>(row);
+        std::vector<double> light;
+        light.reserve(static_cast<std::size_t>(columns_));
         for (int column = 0; column < columns_; ++column)
-            sums.push_back(sum += cell_light(column, row));
-        for (int column = 0; column < columns_; ++column)
-            ends[column] =
-                static_cast<float>(sums[static_cast<std::size_t>(column)] / (sum > 0.0 ? sum : 1.0));
-        cell_angle_[static_cast<std::size_t>(row)] = angle;
-        row_ends_[static_cast<std::size_t>(row)] = sum * angle;
+            light.push_back(cell_light(column, row));
+        choices_[index] = DiscreteDistribution<float>(light);
+        cell_angle_[index] = 2.0 * pi / columns_ * (edge_cosine(row, rows_) - edge_cosine(row + 1, rows_));
+        row_light[index] = choices_[index].sum() * cell_angle_[index];
     });
-    for (int row = 0; row < rows_; ++row)
-        for (int first = 0; first < columns_; first += block)
-            block_ends_.push_back(ends_of(row)[std::min(first + block, columns_) - 1]);
+    row_choice_ = DiscreteDistribution<double>(row_light);
     for (int row = 0; row <= rows_; ++row)
         edge_cosines_.push_back(edge_cosine(row, rows_));
-    double total = 0.0;
-    for (double& end : row_ends_)
-        end = total += end;
-    for (double& end : row_ends_)
-        end /= total > 0.0 ? total : 1.0;
-    dark_ = !(total > 0.0);
 }
 
 glm::dvec2 EnvironmentLight::place_of(const glm::dvec3& d) const
@@ -131,71 +94,28 @@ glm::dvec2 EnvironmentLight::place_of(const glm::dvec3& d) const
     return {uv.x, uv.y};
 }
 
-// The rows between which v lies. They are less than half a row from where their middles are.
-EnvironmentLight::Rows EnvironmentLight::rows_at(double v) const
-{
-    const int last = panorama_.height - 1;
-    const auto place = [this](int row) { return row_places_[static_cast<std::size_t>(row)]; };
-    int above = std::clamp(static_cast<int>(std::floor(v * panorama_.height - 0.5)), 0, last);
-    if (above < last && v >= place(above + 1))
-        ++above;
-    else if (above > 0 && v < place(above))
-        --above;
-    if (above == last || v <= place(above))
-        return {above, above, 0.0};
-    return {above, above + 1, (v - place(above)) / (place(above + 1) - place(above))};
-}
-
 glm::dvec3 EnvironmentLight::radiance_at(const glm::dvec2& uv) const
 {
-    const int width = panorama_.width;
-    const double x = uv.x * width - 0.5, left = std::floor(x), right = x - left;
-    const int x0 = (static_cast<int>(left) + width) % width, x1 = (x0 + 1) % width;
-    const Rows rows = rows_at(uv.y);
-    const float *a = panorama_.pixel(x0, rows.above), *b = panorama_.pixel(x1, rows.above);
-    const float *c = panorama_.pixel(x0, rows.below), *d = panorama_.pixel(x1, rows.below);
-    glm::dvec3 rgb;
-    for (int k = 0; k < 3; ++k) {
-        const double upper = static_cast<double>(a[k]) + right * static_cast<double>(b[k] - a[k]);
-        const double lower = static_cast<double>(c[k]) + right * static_cast<double>(d[k] - c[k]);
-        rgb[k] = upper + rows.share * (lower - upper);
-    }
-    return rgb;
+    const std::array<double, 3> rgb = image::bilinear(
+        image::columns_around(uv.x, panorama_.width), picture_rows_.around(uv.y), panorama_.width,
+        panorama_.height, [this](int x, int y) { return panorama_.pixel(x, y); });
+    return {rgb[0], rgb[1], rgb[2]};
 }
 
-const float* EnvironmentLight::ends_of(int row) const
+double EnvironmentLight::cell_density(std::size_t row, std::size_t column) const
 {
-    return column_ends_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_);
-}
-
-// First the block, then the cell in it: two short searches in neighbouring memory instead of one all over the row.
-int EnvironmentLight::chosen_column(int row, double u) const
-{
-    const int blocks = (columns_ + block - 1) / block;
-    const float* ends = block_ends_.data() + static_cast<std::size_t>(row) * static_cast<std::size_t>(blocks);
-    const int first = block * chosen(ends, blocks, u);
-    return first + chosen(ends_of(row) + first, std::min(block, columns_ - first), u);
-}
-
-double EnvironmentLight::cell_density(int row, int column) const
-{
-    // By the same numbers that draw() chooses by: the density is exactly its own.
-    return Span(row_ends_.data(), rows_, row).size() * Span(ends_of(row), columns_, column).size() /
-           cell_angle_[static_cast<std::size_t>(row)];
+    return row_choice_.probability(row) * choices_[row].probability(column) / cell_angle_[row];
 }
 
 EnvironmentLight::Drawn EnvironmentLight::draw(const glm::dvec2& u) const
 {
-    if (dark_)
+    if (!(row_choice_.sum() > 0.0))
         return {};
-    const int row = chosen(row_ends_.data(), rows_, u.y);
-    const int column = chosen_column(row, u.x);
-    const double below = Span(row_ends_.data(), rows_, row).place(u.y);
-    const double right = Span(ends_of(row), columns_, column).place(u.x);
-    const double top = edge_cosines_[static_cast<std::size_t>(row)];
-    const double bottom = edge_cosines_[static_cast<std::size_t>(row) + 1];
+    const auto [row, below] = row_choice_.draw(u.y);
+    const auto [column, right] = choices_[row].draw(u.x);
+    const double top = edge_cosines_[row], bottom = edge_cosines_[row + 1];
     const double y = top + below * (bottom - top), sine = std::sqrt(std::max(1.0 - y * y, 0.0));
-    const double across = (column + right) / columns_, phi = (across - 0.5) * 2.0 * pi;
+    const double across = (static_cast<double>(column) + right) / columns_, phi = (across - 0.5) * 2.0 * pi;
     const double px = sine * std::cos(phi), pz = sine * std::sin(phi);
     return {{cosine_ * px + sine_ * pz, y, cosine_ * pz - sine_ * px},
             {across, std::acos(std::clamp(y, -1.0, 1.0)) / pi},
@@ -204,11 +124,11 @@ EnvironmentLight::Drawn EnvironmentLight::draw(const glm::dvec2& u) const
 
 double EnvironmentLight::density_at(const glm::dvec2& uv) const
 {
-    if (dark_)
+    if (!(row_choice_.sum() > 0.0))
         return 0.0;
     const int column = std::clamp(static_cast<int>(uv.x * columns_), 0, columns_ - 1);
     const int row = std::clamp(static_cast<int>(uv.y * rows_), 0, rows_ - 1);
-    return cell_density(row, column);
+    return cell_density(static_cast<std::size_t>(row), static_cast<std::size_t>(column));
 }
 
 } // namespace lambent::reference

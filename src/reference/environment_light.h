@@ -2,6 +2,8 @@
 #pragma once
 
 #include "image/image.h"
+#include "image/panorama_rows.h"
+#include "reference/discrete_distribution.h"
 
 #include <glm/ext/vector_double2.hpp>
 #include <glm/ext/vector_double3.hpp>
@@ -11,8 +13,8 @@
 namespace lambent::reference {
 
 /// Light that arrives from infinitely far away, RGB radiance by direction: bilinear between the texels of an
-/// equirectangular picture, columns going round, rows ending at the poles and lying at image::row_angles(), so that each
-/// texel gives its radiance times its solid angle, a sun in the zenith too.
+/// equirectangular picture, columns going round, rows lying at image::row_angles() and going on across the poles, so that
+/// each texel gives its radiance times its solid angle, a sun in the zenith too.
 class EnvironmentLight {
 public:
     /// Finite, not negative RGB, at least 2x1; must outlive this. rotation as view::Picture::environment_rotation.
@@ -40,32 +42,19 @@ public:
     double density_at(const glm::dvec2& uv) const;
 
 private:
-    static constexpr int block = 32; ///< columns
-
-    struct Rows {
-        int above, below;
-        double share; ///< of the one below
-    };
-
-    Rows rows_at(double v) const;
     void fill_cells();
     double smoothed_luminance(int x, int y) const;
     double cell_light(int column, int row) const;
-    const float* ends_of(int row) const;
-    int chosen_column(int row, double u) const;
-    double cell_density(int row, int column) const;
+    double cell_density(std::size_t row, std::size_t column) const;
 
     const image::RadianceImage& panorama_;
     double cosine_, sine_;
-    std::vector<double> row_places_; ///< where the picture's rows lie, 0 to 1
-    int columns_ = 0, rows_ = 0;     ///< of cells
-    std::vector<double> row_ends_;   ///< cumulative, one per row, the last is 1
-    std::vector<float>
-        column_ends_; ///< cumulative within each row, the last is 1; in double they fill the caches
-    std::vector<float> block_ends_;    ///< every block-th of them
-    std::vector<double> cell_angle_;   ///< solid angle of each row's cells
-    std::vector<double> edge_cosines_; ///< of the polar angle where rows begin and end
-    bool dark_ = true;
+    image::PanoramaRows picture_rows_;
+    int columns_ = 0, rows_ = 0;                       ///< of cells
+    DiscreteDistribution<double> row_choice_;          ///< of a row of cells
+    std::vector<DiscreteDistribution<float>> choices_; ///< within each row; in double they fill the caches
+    std::vector<double> cell_angle_;                   ///< solid angle of each row's cells
+    std::vector<double> edge_cosines_;                 ///< of the polar angle where rows begin and end
 };
 
 } // namespace lambent::reference

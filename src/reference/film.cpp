@@ -150,8 +150,7 @@ void Film::for_each_pixel(Visit&& visit) const
 
 image::RadianceImage Film::radiance() const
 {
-    image::RadianceImage image{width_, height_, 4, {}};
-    image.values.resize(pixels_.size() * 4);
+    image::RadianceImage image = image::black_image(width_, height_, 4);
     image.unlit = unlit_;
     for_each_pixel([&](int x, int y, int samples) {
         const Pixel& p = pixels_[index(x, y)];
@@ -166,8 +165,7 @@ image::RadianceImage Film::radiance() const
 
 image::RadianceImage Film::variance() const
 {
-    image::RadianceImage image{width_, height_, 3, {}};
-    image.values.resize(pixels_.size() * 3);
+    image::RadianceImage image = image::black_image(width_, height_);
     for_each_pixel([&](int x, int y, int samples) {
         for (std::size_t c = 0; c < 3; ++c)
             image.pixel(x, y)[c] =

@@ -52,6 +52,12 @@ Bounds instance_bounds(const Mesh& mesh, const glm::mat4& transform)
 
 } // namespace
 
+std::size_t material_of(const Scene& scene, const Instance& instance)
+{
+    const int own = scene.meshes[static_cast<std::size_t>(instance.mesh)].material;
+    return static_cast<std::size_t>(instance.material >= 0 ? instance.material : own);
+}
+
 bool has_lines(const Mesh& mesh)
 {
     return !mesh.points.empty() || !mesh.lines.empty();

@@ -90,6 +90,9 @@ struct Scene {
     std::optional<Bounds> rest_bounds; ///< of a scene at a moment of an animation: its bounds without
 };
 
+/// Index into the scene's materials of what an instance of it shows: its own, else its mesh's.
+std::size_t material_of(const Scene& scene, const Instance& instance);
+
 /// Whether it holds points or lines.
 bool has_lines(const Mesh& mesh);
 bool has_lines(const Scene& scene);

@@ -4,6 +4,7 @@
 #include "environment/panorama/resized.h"
 #include "environment/bake/bake_check.h"
 #include "environment/chain/cube_faces.h"
+#include "image/panorama_rows.h"
 #include "tests/environment/test_panoramas.h"
 
 #include <gtest/gtest.h>
@@ -56,6 +57,7 @@ private:
 };
 
 // The sun as points of light: what is read linearly between texels, a tent along both axes, with a texel's light in all.
+// Beyond a pole the tent goes on half a turn away, as the direction does of an angle below 0 or above pi.
 struct Point {
     Vec direction;
     double light;
@@ -70,9 +72,7 @@ std::vector<Point> points_of(const Sun& sun, double radiance)
         const double u = 2.0 * (i % parts + 0.5) / parts - 1.0,
                      v = 2.0 * (i / parts + 0.5) / parts - 1.0; // NOLINT
         const double theta = (sun.y + 0.5 + v) / sun.height * pi;
-        if (theta <= 0.0 || theta >= pi)
-            continue;
-        const double weight = (1.0 - std::fabs(u)) * (1.0 - std::fabs(v)) * std::sin(theta);
+        const double weight = (1.0 - std::fabs(u)) * (1.0 - std::fabs(v)) * std::fabs(std::sin(theta));
         points.push_back({testing::texel_direction(sun.width, sun.height, sun.x + u, sun.y + v), weight});
         whole += weight;
     }
@@ -214,6 +214,28 @@ TEST(Resized, AConstantStaysOne)
             for (int x = 0; x < large.width; ++x)
                 ASSERT_EQ(large.radiance(x, y).g, 0.75f) << size.width << ": " << x << ", " << y;
     }
+}
+
+// Light that grows linearly in a horizontal direction does so across the poles.
+TEST(Resized, GoesOnAcrossThePoles)
+{
+    const int width = 64, height = 16, fine_height = 512;
+    const auto expected = [](const Vec& d) { return 2.0 + 0.8 * d[0] - 0.6 * d[2]; };
+    const std::vector<double> angles = image::row_angles(height);
+    image::RadianceImage image{width, height, 3, {}};
+    for (const double angle : angles)
+        for (int x = 0; x < width; ++x)
+            image.values.insert(image.values.end(), 3,
+                                static_cast<float>(expected(
+                                    testing::texel_direction(width, height, x, angle / pi * height - 0.5))));
+    const Panorama large = resized(make_panorama(image), 2 * fine_height, fine_height);
+    constexpr double step = 4.0 / 512.0; // of the texels' numbers, which are rounded before and after
+    for (int y = 0; y < fine_height / height / 2; ++y)
+        for (const int row : {y, fine_height - 1 - y})
+            for (int x = 0; x < large.width; x += 7)
+                EXPECT_NEAR(testing::radiance_of(large, x, row, 1),
+                            expected(testing::texel_direction(large.width, fine_height, x, row)), 1.2 * step)
+                    << x << ", " << row;
 }
 
 // Points between the texels see what the enlarged panorama's texels are the means of.

@@ -1,9 +1,11 @@
 // Chi-square of the sampler of visible normals against its density.
-#include "tests/equations/chi_square.h"
 #include "tests/equations/directions.h"
 #include "tests/equations/reference_ggx.h"
+#include "tests/support/chi_square.h"
 
 #include <gtest/gtest.h>
+
+#include <boost/math/quadrature/gauss.hpp>
 
 #include <algorithm>
 
@@ -34,25 +36,20 @@ vec3 draw_normal(const Sampling& s, Uniform& uniform)
 
 size_t cell_of(double row, double azimuth)
 {
-    const int i = std::clamp(static_cast<int>(row * rows), 0, rows - 1);
-    const double turn = azimuth / (2.0 * pi);
-    const int j = std::clamp(static_cast<int>((turn - std::floor(turn)) * columns), 0, columns - 1);
-    return static_cast<size_t>(i * columns + j);
+    return part_of(row, rows) * columns + part_of_turn(azimuth, columns);
 }
 
 // Directions mirrored by the facets, in cells of equal solid angle over the whole sphere.
 std::vector<double> count_mirrored(const Sampling& s, uint64_t seed)
 {
     Uniform uniform(seed);
-    std::vector<double> counts(rows * columns);
     const vec3 V = view(s.NV);
-    for (int i = 0; i < draws; i++) {
+    return count(draws, rows * columns, [&] {
         const vec3 h = draw_normal(s, uniform);
         const double twice = 2.0 * cosine_between(h, V);
         const vec3 L(twice * h.x - V.x, twice * h.y - V.y, twice * h.z - V.z);
-        counts[cell_of(0.5 * (1.0 + L.z), std::atan2(L.y, L.x))]++;
-    }
-    return counts;
+        return cell_of(0.5 * (1.0 + L.z), std::atan2(L.y, L.x));
+    });
 }
 
 // D G1 / (4 NV) at the facet halfway between L and V.
@@ -64,10 +61,11 @@ double mirrored_density(const Sampling& s, vec3 L)
     return NH > 0.0 ? facet_density(NH, s.alpha) / (1.0 + smith_lambda(s.NV, s.alpha)) / (4.0 * s.NV) : 0.0;
 }
 
-// Integral of a function of z and azimuth over each cell, z from `low` of its row (where it may begin later).
+// Integral of a density of z and azimuth over each cell, z from `low` of its row (where it may begin later).
 template <class F>
 std::vector<double> integrate_cells(const F& density, double z_begin, double z_from)
 {
+    using Rule = boost::math::quadrature::gauss<double, 15>;
     std::vector<double> cells(rows * columns);
     for (int i = 0; i < rows; i++)
         for (int j = 0; j < columns; j++) {
@@ -76,12 +74,9 @@ std::vector<double> integrate_cells(const F& density, double z_begin, double z_f
             const double from = std::max(z0, z_from);
             const auto ring = [&](double z) {
                 const auto point = [&](double phi) { return density(z, phi); };
-                return gauss8(point, 2.0 * pi * j / columns, 2.0 * pi * (j + 1) / columns);
+                return Rule::integrate(point, 2.0 * pi * j / columns, 2.0 * pi * (j + 1) / columns);
             };
-            cells[static_cast<size_t>(i * columns + j)] =
-                z1 > from
-                    ? draws * (gauss8(ring, from, 0.5 * (from + z1)) + gauss8(ring, 0.5 * (from + z1), z1))
-                    : 0.0;
+            cells[static_cast<size_t>(i * columns + j)] = z1 > from ? Rule::integrate(ring, from, z1) : 0.0;
         }
     return cells;
 }
@@ -101,7 +96,7 @@ TEST(GgxSampling, MirroredDirectionsFollowTheirDensity)
     uint64_t seed = 1;
     for (const Sampling s : {Sampling{0.1, 0.3}, Sampling{0.5, 0.3}, Sampling{0.98, 0.3}, Sampling{0.2, 0.6},
                              Sampling{0.7, 0.6}, Sampling{0.3, 1.0}, Sampling{1.0, 1.0}})
-        EXPECT_GT(chi_square_p({count_mirrored(s, seed++), expect_mirrored(s)}), false_alarm)
+        EXPECT_TRUE(follows(count_mirrored(s, seed++), expect_mirrored(s)))
             << "NV " << s.NV << ", alpha " << s.alpha;
 }
 
@@ -110,13 +105,11 @@ TEST(GgxSampling, MirroredDirectionsFollowTheirDensity)
 std::vector<double> count_normals(const Sampling& s, uint64_t seed)
 {
     Uniform uniform(seed);
-    std::vector<double> counts(rows * columns);
-    for (int i = 0; i < draws; i++) {
+    return count(draws, rows * columns, [&] {
         const vec3 h = draw_normal(s, uniform);
         const double r2 = (h.x * h.x + h.y * h.y) / (h.z * h.z * s.alpha * s.alpha);
-        counts[cell_of(r2 / (1.0 + r2), std::atan2(h.y, h.x))]++;
-    }
-    return counts;
+        return cell_of(r2 / (1.0 + r2), std::atan2(h.y, h.x));
+    });
 }
 
 // Visible normals have the density D G1 max(VH, 0) / NV per solid angle: that of D NH times G1 (VH / NH) /
@@ -136,7 +129,7 @@ TEST(GgxSampling, NormalsOfSmoothSurfacesFollowTheirDensity)
     uint64_t seed = 11;
     for (const Sampling s : {Sampling{0.02, 1e-4}, Sampling{0.5, 1e-4}, Sampling{1.0, 1e-3},
                              Sampling{0.3, 1e-2}, Sampling{0.5, 0.1}})
-        EXPECT_GT(chi_square_p({count_normals(s, seed++), expect_normals(s)}), false_alarm)
+        EXPECT_TRUE(follows(count_normals(s, seed++), expect_normals(s)))
             << "NV " << s.NV << ", alpha " << s.alpha;
 }
 
@@ -144,9 +137,8 @@ TEST(GgxSampling, NormalsOfSmoothSurfacesFollowTheirDensity)
 TEST(GgxSampling, WrongDensitiesAreRefused)
 {
     const Sampling s = {0.5, 0.3};
-    EXPECT_LT(chi_square_p({count_mirrored(s, 21), expect_mirrored({0.5, 0.306})}), false_alarm);
-    const std::vector<double> uniform(rows * columns, double(draws) / (rows * columns));
-    EXPECT_LT(chi_square_p({count_normals(s, 22), uniform}), false_alarm);
+    EXPECT_FALSE(follows(count_mirrored(s, 21), expect_mirrored({0.5, 0.306})));
+    EXPECT_FALSE(follows_evenly(count_normals(s, 22)));
 }
 
 } // namespace

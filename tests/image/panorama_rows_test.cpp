@@ -12,7 +12,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// The integral over the sphere of how much a row counts where it is read linearly between `angles`, by quadrature.
+// The integral over the sphere of how much a row counts where it is read linearly between `angles`, by quadrature. Beyond a pole
+// the row itself goes on, half a turn away: around the pole it counts whole.
 double weight_of(const std::vector<double>& angles, std::size_t row)
 {
     constexpr int steps = 200000;

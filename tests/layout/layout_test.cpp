@@ -22,7 +22,7 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"equations", {}},
     {"wide", {"base", "equations"}},
     {"shading", {}},
-    {"image", {"base"}},
+    {"image", {"base", "equations"}},
     {"scene", {"base", "image", "equations", "shading"}},
     {"view", {"scene"}},
     {"trace", {"base", "scene", "wide"}},

@@ -1,6 +1,6 @@
 // Materials at a point: densities by quadrature over the whole sphere, draws by chi-square, light by both.
 #include "reference/material.h"
-#include "tests/equations/chi_square.h"
+#include "tests/support/chi_square.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -108,10 +108,10 @@ double check(const Surface& surface, view::Model model)
     const Integrals expected = integrals(reflection, around);
     EXPECT_NEAR(expected.all, 1.0, 2e-3);
     const Drawn seen = drawn(reflection, around);
-    std::vector<double> counts = expected.density;
-    for (double& c : counts)
-        c *= draws / expected.all;
-    EXPECT_GT(test::chi_square_p({seen.counted, counts}), test::false_alarm);
+    std::vector<double> probabilities = expected.density;
+    for (double& p : probabilities)
+        p /= expected.all;
+    EXPECT_TRUE(test::follows(seen.counted, probabilities));
     EXPECT_NEAR(seen.mean, expected.value, 5.0 * seen.deviation + 1e-3 * expected.value);
     return expected.value;
 }

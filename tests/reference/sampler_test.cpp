@@ -1,6 +1,6 @@
 // Points that are spread evenly: the properties that define them, counted.
 #include "reference/sampler.h"
-#include "tests/equations/chi_square.h"
+#include "tests/support/chi_square.h"
 
 #include <gtest/gtest.h>
 
@@ -105,10 +105,10 @@ TEST(ReferenceSampler, SamplesOfASequenceAreNetsInEveryCall)
             });
 }
 
-double p_of_uniform(const std::vector<double>& counted, double total)
+// Of 16 x 16 boxes that of a pair of numbers.
+std::size_t box(double a, double b)
 {
-    return test::chi_square_p(
-        {counted, std::vector<double>(counted.size(), total / static_cast<double>(counted.size()))});
+    return 16 * test::part_of(a, 16) + test::part_of(b, 16);
 }
 
 // One number of each of many sequences, pairs of dimensions: 16 x 16 boxes.
@@ -118,9 +118,6 @@ TEST(ReferenceSampler, SequencesAreUniformAndIndependent)
     for (std::uint32_t index : {0u, 5u})
         for (std::size_t d = 0; d < 4; ++d) {
             std::vector<double> own(256, 0.0), neighbours(256, 0.0), calls(256, 0.0);
-            const auto box = [](double a, double b) {
-                return static_cast<std::size_t>(16.0 * a) * 16 + static_cast<std::size_t>(16.0 * b);
-            };
             for (std::uint32_t s = 0; s < count; ++s) {
                 Sampler one(2 * s, index), other(2 * s + 1, index);
                 const auto a = one.next4(), b = other.next4(), c = one.next4();
@@ -128,9 +125,9 @@ TEST(ReferenceSampler, SequencesAreUniformAndIndependent)
                 ++neighbours[box(a[d], b[d])];
                 ++calls[box(a[d], c[d])];
             }
-            EXPECT_GT(p_of_uniform(own, count), test::false_alarm) << d;
-            EXPECT_GT(p_of_uniform(neighbours, count), test::false_alarm) << d;
-            EXPECT_GT(p_of_uniform(calls, count), test::false_alarm) << d;
+            EXPECT_TRUE(test::follows_evenly(own)) << d;
+            EXPECT_TRUE(test::follows_evenly(neighbours)) << d;
+            EXPECT_TRUE(test::follows_evenly(calls)) << d;
         }
 }
 
@@ -138,9 +135,6 @@ TEST(ReferenceSampler, RandomIsUniformAndIndependent)
 {
     std::vector<double> draws(256, 0.0), indices(256, 0.0), sequences(256, 0.0);
     constexpr int count = 100000;
-    const auto box = [](double a, double b) {
-        return static_cast<std::size_t>(16.0 * a) * 16 + static_cast<std::size_t>(16.0 * b);
-    };
     for (std::uint32_t i = 0; i < count; ++i) {
         Sampler one(7, 2 * i), next(7, 2 * i + 1), of_sequence(2 * i, 3), of_next(2 * i + 1, 3);
         const double first = one.random(), second = one.random();
@@ -149,9 +143,9 @@ TEST(ReferenceSampler, RandomIsUniformAndIndependent)
         ++sequences[box(of_sequence.random(), of_next.random())];
         ASSERT_TRUE(first >= 0.0 && first < 1.0);
     }
-    EXPECT_GT(p_of_uniform(draws, count), test::false_alarm);
-    EXPECT_GT(p_of_uniform(indices, count), test::false_alarm);
-    EXPECT_GT(p_of_uniform(sequences, count), test::false_alarm);
+    EXPECT_TRUE(test::follows_evenly(draws));
+    EXPECT_TRUE(test::follows_evenly(indices));
+    EXPECT_TRUE(test::follows_evenly(sequences));
 }
 
 } // namespace

@@ -39,15 +39,15 @@ void PreparedScene::pose(const scene::Scene& posed)
     surfaces_.clear();
     for (const scene::Instance& instance : posed.instances) {
         const scene::Mesh& mesh = posed.meshes[static_cast<std::size_t>(instance.mesh)];
-        const int material = instance.material >= 0 ? instance.material : mesh.material;
+        const std::size_t material = scene::material_of(posed, instance);
         SurfaceContext context;
         context.mesh = &mesh;
-        context.material = &posed.materials[static_cast<std::size_t>(material)];
+        context.material = &posed.materials[material];
         context.transform = instance.transform;
         const glm::mat3 linear(instance.transform);
         context.normals = glm::transpose(glm::inverse(linear));
         context.handedness = glm::determinant(linear) < 0.0f ? -1.0f : 1.0f;
-        context.textures = textures_.of(static_cast<std::size_t>(material));
+        context.textures = textures_.of(material);
         context.texcoords = TexcoordChoice(mesh, *context.material);
         for_each_texture(*context.material,
                          [&](int number, const scene::TextureUse& use, scene::TextureCodes) {

@@ -13,8 +13,7 @@ std::vector<float> vertex_alphas(const scene::Scene& scene)
     std::vector<double> sums(scene.materials.size(), 0.0), counts(scene.materials.size(), 0.0);
     for (const scene::Instance& instance : scene.instances) {
         const scene::Mesh& mesh = scene.meshes[static_cast<std::size_t>(instance.mesh)];
-        const auto material =
-            static_cast<std::size_t>(instance.material >= 0 ? instance.material : mesh.material);
+        const std::size_t material = scene::material_of(scene, instance);
         if (scene.materials[material].alpha_mode != scene::AlphaMode::mask)
             continue;
         counts[material] += static_cast<double>(mesh.positions.size());

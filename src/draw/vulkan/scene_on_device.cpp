@@ -41,12 +41,6 @@ private:
     std::vector<Bytes> parts_;
 };
 
-const scene::Material& material_of(const scene::Scene& scene, const scene::Instance& instance)
-{
-    const int own = scene.meshes[static_cast<std::size_t>(instance.mesh)].material;
-    return scene.materials[static_cast<std::size_t>(instance.material >= 0 ? instance.material : own)];
-}
-
 bool mirrors(const scene::Instance& instance)
 {
     return glm::determinant(glm::mat3(instance.transform)) < 0.0f;
@@ -159,7 +153,7 @@ void SceneOnDevice::place_instances(const vulkan::Device& device, const scene::S
     std::vector<InstanceRecord> records;
     for (const scene::Instance& instance : scene.instances) {
         const glm::mat4 normals(glm::transpose(glm::inverse(glm::mat3(instance.transform))));
-        const scene::Material& material = material_of(scene, instance);
+        const scene::Material& material = scene.materials[scene::material_of(scene, instance)];
         const auto& places = sets[static_cast<std::size_t>(instance.mesh)];
         const auto set = [&](const scene::TextureUse& use) {
             const auto found = places.find(use.texcoord);
@@ -238,7 +232,7 @@ void SceneOnDevice::plan_draws(const vulkan::Device& device, const scene::Scene&
         draws; // all sides; fronts; fronts of mirrored ones
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const scene::Instance& instance = scene.instances[i];
-        const scene::Material& material = material_of(scene, instance);
+        const scene::Material& material = scene.materials[scene::material_of(scene, instance)];
         VkDrawIndexedIndirectCommand draw = of_mesh[static_cast<std::size_t>(instance.mesh)];
         draw.firstInstance = static_cast<uint>(i);
         const std::size_t kind = mirrors(instance) ? 2 : 1;

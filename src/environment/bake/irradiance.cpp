@@ -3,6 +3,7 @@
 #include "environment/chain/cube_faces.h"
 #include "environment/bake/irradiance_kernel.h"
 #include "equations/in_double.h"
+#include "image/panorama_rows.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -28,7 +29,7 @@ Trigonometry azimuths(int width)
 {
     Trigonometry t;
     for (int x = 0; x < width; ++x) {
-        const double phi = ((x + 0.5) / width - 0.5) * 2.0 * std::numbers::pi;
+        const double phi = image::column_azimuth(x + 0.5, width);
         t.cosine.push_back(static_cast<float>(std::cos(phi)));
         t.sine.push_back(static_cast<float>(std::sin(phi)));
     }
@@ -131,7 +132,7 @@ AzimuthOrders orders_of_columns(int width)
 {
     AzimuthOrders columns;
     for (int x = 0; x < width; ++x) {
-        const Orders at = orders_at(((x + 0.5) / width - 0.5) * 2.0 * std::numbers::pi);
+        const Orders at = orders_at(image::column_azimuth(x + 0.5, width));
         for (std::size_t m = 1; m < orders; ++m)
             columns.rows[m - 1].push_back(static_cast<float>(at[m]));
     }

@@ -1,5 +1,7 @@
 #include "environment/bake/light_tree.h"
 
+#include "image/panorama_rows.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -154,7 +156,7 @@ LightCellLevel LightTree::gathered(int width, int height) const
 LightTree::LightTree(const Panorama& panorama, double extent) : panorama_(panorama)
 {
     for (int x = 0; x < panorama.width; ++x) {
-        const double phi = ((x + 0.5) / panorama.width - 0.5) * 2.0 * std::numbers::pi;
+        const double phi = image::column_azimuth(x + 0.5, panorama.width);
         turns_.push_back({static_cast<float>(std::cos(phi)), static_cast<float>(std::sin(phi))});
     }
     for (int y = 0; y < panorama.height; ++y) {

@@ -3,7 +3,7 @@
 
 #include "environment/bake/light_points.h"
 #include "environment/bake/sum_rows.h"
-#include "image/panorama_rows.h"
+#include "image/panorama_lookup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,8 @@ namespace {
 // Points to a turn, at least.
 constexpr int least_points = 1536;
 
-// A row of points: where, and the solid angle of each that is the light of the row of texels above and of that below.
+// A row of points: where, and the solid angle of each that is the light of the row of texels above and of that below, which are
+// from -1 to the height: those beyond the poles.
 struct PointRow {
     double angle;
     int above, below;
@@ -29,23 +30,24 @@ std::vector<PointRow> rows_of_points(const Panorama& panorama, int parts)
     const std::vector<double> angles = image::row_angles(panorama.height);
     std::vector<PointRow> rows;
     std::vector<double> sums(angles.size());
+    const auto row_within = [last](int row) { return static_cast<std::size_t>(std::clamp(row, 0, last)); };
     for (int below = 0; below <= last + 1; ++below) {
-        const int above = std::max(below - 1, 0), next = std::min(below, last);
-        const double start = below > 0 ? angles[static_cast<std::size_t>(above)] : 0.0;
-        const double end = below <= last ? angles[static_cast<std::size_t>(next)] : std::numbers::pi;
+        const double start = below > 0 ? angles[static_cast<std::size_t>(below) - 1] : 0.0;
+        const double end = below <= last ? angles[static_cast<std::size_t>(below)] : std::numbers::pi;
         for (int i = 0; i < parts; ++i) {
-            const double share = (i + 0.5) / parts, angle = start + share * (end - start);
+            const double part = (i + 0.5) / parts, angle = start + part * (end - start);
+            // Next to a pole only half of what is between a row and the one beyond.
+            const double share = below == 0 ? 0.5 + 0.5 * part : below > last ? 0.5 * part : part;
             const double area = std::sin(angle) * (end - start);
-            rows.push_back({angle, above, next, (1.0 - share) * area, share * area});
-            sums[static_cast<std::size_t>(above)] += rows.back().from_above;
-            sums[static_cast<std::size_t>(next)] += rows.back().from_below;
+            rows.push_back({angle, below - 1, below, (1.0 - share) * area, share * area});
+            sums[row_within(below - 1)] += rows.back().from_above;
+            sums[row_within(below)] += rows.back().from_below;
         }
     }
     for (PointRow& row : rows) {
-        row.from_above *=
-            texel_solid_angle(panorama, row.above) / sums[static_cast<std::size_t>(row.above)] / parts;
-        row.from_below *=
-            texel_solid_angle(panorama, row.below) / sums[static_cast<std::size_t>(row.below)] / parts;
+        const std::size_t above = row_within(row.above), below = row_within(row.below);
+        row.from_above *= texel_solid_angle(panorama, static_cast<int>(above)) / sums[above] / parts;
+        row.from_below *= texel_solid_angle(panorama, static_cast<int>(below)) / sums[below] / parts;
     }
     return rows;
 }
@@ -70,13 +72,19 @@ public:
     }
 
 private:
+    Rgb texel(int x, int row) const
+    {
+        const image::PanoramaTexel at = image::texel_across(x, row, panorama_.width, panorama_.height);
+        return panorama_.radiance(at.x, at.y);
+    }
+
     void load(const PointRow& row, LightPoints& points) const
     {
         const double up = std::cos(row.angle), ring = std::sin(row.angle);
         points.resize(static_cast<std::size_t>(panorama_.width) * static_cast<std::size_t>(parts_));
         const auto light = [&](int x, float Rgb::*channel) {
-            return row.from_above * static_cast<double>(panorama_.radiance(x, row.above).*channel) +
-                   row.from_below * static_cast<double>(panorama_.radiance(x, row.below).*channel);
+            return row.from_above * static_cast<double>(texel(x, row.above).*channel) +
+                   row.from_below * static_cast<double>(texel(x, row.below).*channel);
         };
         std::size_t at = 0;
         for (int x = 0; x < panorama_.width; ++x) {
@@ -86,7 +94,7 @@ private:
             const double b[2] = {light(x, &Rgb::b), light(right, &Rgb::b)};
             for (int i = 0; i < parts_; ++i, ++at) {
                 const double share = (i + 0.5) / parts_;
-                const double phi = ((x + 0.5 + share) / panorama_.width - 0.5) * 2.0 * std::numbers::pi;
+                const double phi = image::column_azimuth(x + 0.5 + share, panorama_.width);
                 points.x[at] = ring * std::cos(phi), points.y[at] = up, points.z[at] = ring * std::sin(phi);
                 points.r[at] = r[0] + share * (r[1] - r[0]);
                 points.g[at] = g[0] + share * (g[1] - g[0]);

@@ -62,8 +62,7 @@ image::RadianceImage bake_split_sum_table(int size)
     if (size < 2 || size > 1024)
         throw Error(Failure::usage, text("a split-sum table of ", size, " texels: 2 to 1024 are possible"));
     const auto count = static_cast<std::size_t>(size);
-    image::RadianceImage table{size, size, 3, {}};
-    table.values.resize(3 * count * count);
+    image::RadianceImage table = image::black_image(size, size);
     std::vector<float> cosines;
     cosines.reserve(count);
     for (int x = 0; x < size; ++x)

@@ -2,6 +2,7 @@
 
 #include "environment/bake/light_points.h"
 #include "environment/bake/sum_rows.h"
+#include "image/panorama_rows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +34,7 @@ public:
           columns_((panorama.width + side_ - 1) / side_)
     {
         for (int x = 0; x < panorama.width; ++x) {
-            const double phi = ((x + 0.5) / panorama.width - 0.5) * 2.0 * std::numbers::pi;
+            const double phi = image::column_azimuth(x + 0.5, panorama.width);
             cosine_.push_back(std::cos(phi));
             sine_.push_back(std::sin(phi));
         }

@@ -1,6 +1,7 @@
 #include "environment/builtin/kitchen.h"
 
 #include "image/files/image_io.h"
+#include "image/panorama_lookup.h"
 
 #include <tbb/parallel_for.h>
 
@@ -28,17 +29,10 @@ extern const std::uint8_t lambent_kitchen_end[];
 namespace lambent::environment {
 namespace {
 
-image::RadianceImage blank(int width)
-{
-    image::RadianceImage image{width, width / 2, 3, {}};
-    image.values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(width / 2) * 3);
-    return image;
-}
-
 // Each texel the mean of four by their solid angle.
 image::RadianceImage halved(const image::RadianceImage& from)
 {
-    image::RadianceImage to = blank(from.width / 2);
+    image::RadianceImage to = image::black_image(from.width / 2, from.height / 2);
     const double step = std::numbers::pi / from.height;
     tbb::parallel_for(0, to.height, [&](int y) {
         const double top = std::cos(2 * y * step), middle = std::cos((2 * y + 1) * step),
@@ -53,18 +47,23 @@ image::RadianceImage halved(const image::RadianceImage& from)
     return to;
 }
 
-// Twice as wide and high, bilinear.
+// Twice as wide and high, bilinear, across the poles too.
 image::RadianceImage doubled(const image::RadianceImage& from)
 {
-    image::RadianceImage to = blank(2 * from.width);
+    image::RadianceImage to = image::black_image(2 * from.width, 2 * from.height);
     tbb::parallel_for(0, to.height, [&](int y) {
-        const int near_y = y / 2, far_y = std::clamp(near_y + (y % 2 == 0 ? -1 : 1), 0, from.height - 1);
+        const int near_y = y / 2, far_y = near_y + (y % 2 == 0 ? -1 : 1);
+        const auto texel = [&](int x, int row) {
+            const image::PanoramaTexel at = image::texel_across(x, row, from.width, from.height);
+            return from.pixel(at.x, at.y);
+        };
         for (int x = 0; x < to.width; ++x) {
-            const int near_x = x / 2, far_x = (near_x + (x % 2 == 0 ? -1 : 1) + from.width) % from.width;
+            const int near_x = x / 2, far_x = near_x + (x % 2 == 0 ? -1 : 1);
+            const float *nearest = texel(near_x, near_y), *beside = texel(far_x, near_y);
+            const float *next = texel(near_x, far_y), *diagonal = texel(far_x, far_y);
             for (int c = 0; c < 3; ++c)
-                to.pixel(x, y)[c] = 0.5625f * from.pixel(near_x, near_y)[c] +
-                                    0.1875f * (from.pixel(far_x, near_y)[c] + from.pixel(near_x, far_y)[c]) +
-                                    0.0625f * from.pixel(far_x, far_y)[c];
+                to.pixel(x, y)[c] =
+                    0.5625f * nearest[c] + 0.1875f * (beside[c] + next[c]) + 0.0625f * diagonal[c];
         }
     });
     return to;

@@ -49,8 +49,7 @@ image::RadianceImage make_studio(int width)
 {
     constexpr float pi = std::numbers::pi_v<float>;
     const int height = width / 2;
-    image::RadianceImage panorama{width, height, 3, {}};
-    panorama.values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
+    image::RadianceImage panorama = image::black_image(width, height);
     const std::vector<PlacedSoftbox> boxes = softboxes();
     const float texel = pi / static_cast<float>(height);
     tbb::parallel_for(0, height, [&](int y) {

@@ -3,12 +3,11 @@
 #include "base/text.h"
 #include "environment/panorama/mend_texels.h"
 #include "environment/panorama/pack_row.h"
+#include "image/panorama_rows.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
-
-#include <numbers>
 
 namespace lambent::environment {
 namespace {
@@ -87,8 +86,7 @@ void check_shape(int width, int height, const std::string& name, Warnings& warni
 
 double texel_solid_angle(const Panorama& panorama, int y)
 {
-    const double step = std::numbers::pi / panorama.height;
-    return 2.0 * std::numbers::pi / panorama.width * (std::cos(y * step) - std::cos((y + 1) * step));
+    return image::texel_solid_angle(panorama.width, panorama.height, y);
 }
 
 Panorama load_panorama(image::RadianceReader& reader, const std::string& name, Warnings& warnings)

@@ -29,7 +29,7 @@ struct Panorama {
     }
 };
 
-/// Solid angle of each texel of row y, in steradians: exact, not the sine at its centre.
+/// Solid angle of each texel of row y, in steradians: see image/panorama_rows.h.
 double texel_solid_angle(const Panorama& panorama, int y);
 
 /// Reads row by row. Texels that are not finite or absurdly bright get the mean of their neighbours, negative values

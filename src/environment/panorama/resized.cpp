@@ -1,6 +1,6 @@
 #include "environment/panorama/resized.h"
 
-#include "image/panorama_rows.h"
+#include "image/panorama_lookup.h"
 
 #include <tbb/parallel_for.h>
 
@@ -32,7 +32,8 @@ double rising(double start, double end, double top, double bottom)
     return (primitive(bottom) - primitive(top)) / (end - start);
 }
 
-// Of a row of texels from polar angle `top` to `bottom`, given where the rows read are.
+// Of a row of texels from polar angle `top` to `bottom`, given where the rows read are; -1 and the number of rows are possible:
+// the rows beyond the poles.
 PixelShares row_shares(const std::vector<double>& angles, double top, double bottom)
 {
     const int last = static_cast<int>(angles.size()) - 1;
@@ -40,17 +41,16 @@ PixelShares row_shares(const std::vector<double>& angles, double top, double bot
     const double whole = std::cos(top) - std::cos(bottom);
     PixelShares shares;
     for (int next = static_cast<int>(above - angles.begin()); next <= last + 1; ++next) {
-        const double start = next > 0 ? angles[static_cast<std::size_t>(next) - 1] : 0.0;
-        const double end = next <= last ? angles[static_cast<std::size_t>(next)] : std::numbers::pi;
+        const double start = next > 0 ? angles[static_cast<std::size_t>(next) - 1] : -angles.front();
+        const double end =
+            next <= last ? angles[static_cast<std::size_t>(next)] : 2.0 * std::numbers::pi - angles.back();
         const double from = std::max(start, top), to = std::min(end, bottom);
         if (from >= to)
             break;
         const double area = (std::cos(from) - std::cos(to)) / whole;
-        const double lower = next == 0 ? area : next <= last ? rising(start, end, from, to) / whole : 0.0;
-        if (next > 0)
-            shares.add(next - 1, area - lower);
-        if (next <= last)
-            shares.add(next, lower);
+        const double lower = rising(start, end, from, to) / whole;
+        shares.add(next - 1, area - lower);
+        shares.add(next, lower);
     }
     return shares;
 }
@@ -86,7 +86,9 @@ std::vector<double> mixed_row(const Panorama& from, const PixelShares& shares)
     std::vector<double> row(3 * static_cast<std::size_t>(from.width));
     for (std::size_t i = 0; i < shares.of.size(); ++i)
         for (int x = 0; x < from.width; ++x) {
-            const Rgb c = from.radiance(x, shares.first + static_cast<int>(i));
+            const image::PanoramaTexel at =
+                image::texel_across(x, shares.first + static_cast<int>(i), from.width, from.height);
+            const Rgb c = from.radiance(at.x, at.y);
             double* const out = row.data() + 3 * static_cast<std::size_t>(x);
             out[0] += shares.of[i] * static_cast<double>(c.r);
             out[1] += shares.of[i] * static_cast<double>(c.g);
@@ -99,8 +101,7 @@ std::vector<double> mixed_row(const Panorama& from, const PixelShares& shares)
 
 Panorama resized(const Panorama& from, int width, int height)
 {
-    image::RadianceImage image{width, height, 3, {}};
-    image.values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
+    image::RadianceImage image = image::black_image(width, height);
     const std::vector<double> angles = image::row_angles(from.height);
     const std::vector<PixelShares> columns = all_column_shares(from.width, width);
     const double step = std::numbers::pi / height;

@@ -2,6 +2,7 @@
 
 #include "environment/sky/sky_table.h"
 #include "environment/sky/sun_disc.h"
+#include "image/panorama_rows.h"
 
 #include <tbb/parallel_for.h>
 
@@ -39,7 +40,7 @@ std::vector<Column> make_columns(int width, double sun_azimuth, int angles)
 {
     std::vector<Column> columns;
     for (int x = 0; x < width; ++x) {
-        const double azimuth = ((x + 0.5) / width - 0.5) * 2.0 * pi;
+        const double azimuth = image::column_azimuth(x + 0.5, width);
         const double from_sun = std::fabs(std::remainder(azimuth - sun_azimuth, 2.0 * pi));
         const double place = from_sun / pi * (angles - 1);
         const int angle = std::min(static_cast<int>(place), angles - 2);
@@ -76,8 +77,7 @@ void fill_row(const SkyTable::Row& row, const RowGeometry& geometry, const std::
 image::RadianceImage make_sky(const SkyOptions& options)
 {
     const int width = options.width, height = width / 2;
-    image::RadianceImage panorama{width, height, 3, {}};
-    panorama.values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3);
+    image::RadianceImage panorama = image::black_image(width, height);
     const double sun_elevation = std::min(static_cast<double>(options.sun_elevation), 0.5 * pi);
     const double sun_azimuth = panorama_azimuth(options.sun_azimuth);
     const ClearSky sky(sun_elevation, static_cast<double>(options.turbidity));

@@ -1,6 +1,7 @@
 #include "environment/sky/sun_disc.h"
 
 #include "environment/sky/atmosphere.h"
+#include "image/panorama_lookup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,7 +86,7 @@ private:
             const double elevation = 0.5 * pi - y * step;
             for (int i = 0; i < 2 * half * across; ++i) {
                 const double x = middle - half + (i + 0.5) / across;
-                const double azimuth = (x / width_ - 0.5) * 2.0 * pi;
+                const double azimuth = image::column_azimuth(x, width_);
                 const double weight = brightness(direction(azimuth, elevation), centre_) *
                                       std::cos(elevation) / (across * points);
                 whole_ += weight;
@@ -107,14 +108,10 @@ private:
 
     void add(int x, int y, double weight)
     {
-        if (y < 0) { // beyond the zenith the panorama goes on half a turn away
-            y = 0;
-            x += width_ / 2;
-        }
-        x = ((x % width_) + width_) % width_;
-        y = std::min(y - first_row_, rows_ - 1);
-        shares_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                static_cast<std::size_t>(x)] += weight;
+        const image::PanoramaTexel at = image::texel_across(x, y, width_, height_);
+        const int row = std::clamp(at.y - first_row_, 0, rows_ - 1);
+        shares_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
+                static_cast<std::size_t>(at.x)] += weight;
     }
 
     int width_, height_, first_row_ = 0, rows_ = 0;
@@ -128,10 +125,8 @@ private:
 void add_sun(const SunDisc& sun, image::RadianceImage& panorama)
 {
     const int width = panorama.width, height = panorama.height;
-    const double step = pi / height;
     Shares(sun, width, height).each([&](int x, int y, double share) {
-        const double solid_angle = 2.0 * pi / width * (std::cos(y * step) - std::cos((y + 1) * step));
-        const float radiance = static_cast<float>(share / solid_angle);
+        const float radiance = static_cast<float>(share / image::texel_solid_angle(width, height, y));
         float* texel = panorama.pixel(x, y);
         texel[0] += radiance * sun.irradiance.r;
         texel[1] += radiance * sun.irradiance.g;

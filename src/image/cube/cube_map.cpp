@@ -60,8 +60,7 @@ RadianceImage face_image(const CubeMap& map, int level, int face)
 RadianceImage cross_image(const CubeMap& map, int level)
 {
     const int size = map.face_size(level);
-    RadianceImage cross{4 * size, 3 * size, 3, {}};
-    cross.values.resize(std::size_t{12} * map.face_floats(level));
+    RadianceImage cross = black_image(4 * size, 3 * size);
     for (int face = 0; face < 6; ++face)
         for (int y = 0; y < size; ++y)
             std::copy_n(map.pixel(level, face, 0, y), 3 * size,

@@ -1,5 +1,7 @@
 #include "image/openexr/openexr_map.h"
 
+#include "equations/in_double.h"
+#include "image/panorama_rows.h"
 #include "image/refuse.h"
 
 #include <tbb/parallel_for.h>
@@ -17,7 +19,7 @@ constexpr double pi = std::numbers::pi;
 // Of a cube's pixels those at the corners are the smallest: none of them may be missed.
 constexpr int points_across = 5;
 
-using Direction = std::array<double, 3>;
+using Direction = in_double::vec3;
 
 // Pixels of a map, from the middle of the first.
 struct MapPlace {
@@ -27,24 +29,20 @@ struct MapPlace {
 // Longitude 0 is +Z, in the middle, and longitudes grow to the left, where +X is.
 MapPlace place_in_latitudes(const RadianceImage& map, const Direction& d)
 {
-    const double longitude = std::atan2(d[0], d[2]), polar = std::acos(std::clamp(d[1], -1.0, 1.0));
+    const double longitude = std::atan2(d.x, d.z), polar = std::acos(std::clamp(d.y, -1.0, 1.0));
     return {(0.5 - longitude / (2.0 * pi)) * (map.width - 1), polar / pi * (map.height - 1)};
 }
 
-// Faces one below the other, each as it is seen from outside.
+// Faces one below the other, each as it is seen from outside: those of the text, mirrored.
 MapPlace place_in_cube(const RadianceImage& map, const Direction& d)
 {
-    std::size_t axis = 0;
-    for (std::size_t i = 1; i < 3; ++i)
-        if (std::fabs(d[i]) > std::fabs(d[axis]))
-            axis = i;
-    const double over = 1.0 / std::fabs(d[axis]), sign = d[axis] < 0.0 ? -1.0 : 1.0;
-    const double s = axis == 0 ? sign * d[2] : axis == 1 ? d[0] : -sign * d[0];
-    const double t = axis == 1 ? -sign * d[2] : -d[1];
-    const int face = static_cast<int>(2 * axis) + (sign < 0.0 ? 1 : 0);
-    const double last = map.width - 1;
-    return {std::clamp(0.5 * (s * over + 1.0), 0.0, 1.0) * last,
-            face * map.width + std::clamp(0.5 * (t * over + 1.0), 0.0, 1.0) * last};
+    const in_double::CubePlace at = in_double::cube_from_direction(d);
+    const int face = static_cast<int>(at.face);
+    const bool up_or_down =
+        face == 2 || face == 3; // mirrored from top to bottom, the others from left to right
+    const double s = up_or_down ? at.s : -at.s, t = up_or_down ? -at.t : at.t, last = map.width - 1;
+    return {std::clamp(0.5 * (s + 1.0), 0.0, 1.0) * last,
+            face * map.width + std::clamp(0.5 * (t + 1.0), 0.0, 1.0) * last};
 }
 
 class MapReader : public RadianceReader {
@@ -65,7 +63,7 @@ public:
             map_ = read_all_rows(*source_);
             // In the middle of the picture is +X, a quarter to the right of it +Z.
             for (int x = 0; x < across_ * width_; ++x) {
-                const double phi = ((x + 0.5) / (across_ * width_) - 0.5) * 2.0 * pi;
+                const double phi = column_azimuth(x + 0.5, across_ * width_);
                 turns_.push_back({std::cos(phi), std::sin(phi)});
             }
         }
@@ -92,7 +90,7 @@ private:
             const float share = static_cast<float>(ring / (rings * across_));
             for (int i = 0; i < across_ * width_; ++i) {
                 const Turn turn = turns_[static_cast<std::size_t>(i)];
-                const Direction d = {ring * turn.cosine, up, ring * turn.sine};
+                const Direction d(ring * turn.cosine, up, ring * turn.sine);
                 add(cube_ ? place_in_cube(map_, d) : place_in_latitudes(map_, d), share,
                     rgb + 3 * (i / across_));
             }

@@ -1,0 +1,58 @@
+// Reading an equirectangular picture between its texels.
+#pragma once
+
+#include "image/panorama_rows.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace lambent::image {
+
+struct PanoramaTexel {
+    int x, y;
+};
+
+/// The texel of column x and row y, which may be beyond an edge: columns go round, and beyond a pole, up to `height` rows, the
+/// picture goes on half a turn away. Of an odd number of columns half a turn is half a column less.
+inline PanoramaTexel texel_across(int x, int y, int width, int height)
+{
+    if (y < 0 || y >= height) {
+        y = y < 0 ? -1 - y : 2 * height - 1 - y;
+        x += width / 2;
+    }
+    if (x < 0 || x >= width)
+        x = (x % width + width) % width;
+    return {x, y};
+}
+
+/// The columns on either side of u, 0 to 1: from -1 to `width`.
+inline Neighbours columns_around(double u, int width)
+{
+    const double x = u * width - 0.5, left = std::floor(x);
+    const int first = static_cast<int>(left);
+    return {first, first + 1, x - left};
+}
+
+/// RGB of a panorama of a size between the texels of two columns and two rows, linear along both axes. `texel(x, y)` has three
+/// values that can be indexed.
+template <class Texel>
+std::array<double, 3> bilinear(const Neighbours& columns, const Neighbours& rows, int width, int height,
+                               const Texel& texel)
+{
+    const auto at = [&](int x, int y) {
+        const PanoramaTexel place = texel_across(x, y, width, height);
+        return texel(place.x, place.y);
+    };
+    const auto a = at(columns.first, rows.first), b = at(columns.second, rows.first);
+    const auto c = at(columns.first, rows.second), d = at(columns.second, rows.second);
+    std::array<double, 3> rgb;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const double upper = static_cast<double>(a[k]) + columns.share * static_cast<double>(b[k] - a[k]);
+        const double lower = static_cast<double>(c[k]) + columns.share * static_cast<double>(d[k] - c[k]);
+        rgb[k] = upper + rows.share * (lower - upper);
+    }
+    return rgb;
+}
+
+} // namespace lambent::image
