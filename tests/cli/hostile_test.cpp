@@ -161,7 +161,7 @@ TEST(Hostile, Models)
     wrong_magic[0] = 'X';
     std::string long_chunk = triangle();
     long_chunk.replace(12, 4, little_endian(0x7fffffff));
-    std::string deep = R"({"asset":{"version":"2.0"},"extras":)";
+    std::string deep = R"({"asset":{"version":"2.0"},"nodes":)";
     deep += std::string(100000, '[') + std::string(100000, ']') + "}";
     const std::vector<Case> cases = {
         {"empty", ""},

@@ -148,6 +148,19 @@ TEST(GltfLosses, WhatStandsForABrokenElementIsNotComplainedOfAgain)
                                   "test.gltf: skin 0: not an object: left out"}));
 }
 
+TEST(GltfLosses, AChannelAfterABrokenOneKeepsItsNumber)
+{
+    GltfBuilder builder = triangle();
+    builder.document["animations"] = {
+        {{"channels", {7, {{"sampler", 9}, {"target", {{"node", 0}, {"path", "scale"}}}}}}}};
+    Warnings warnings;
+    load(builder, &warnings);
+    EXPECT_EQ(
+        warnings,
+        (Warnings{"test.gltf: animation 0, channel 0: not an object: left out",
+                  "test.gltf: animation 0, channel 1: sampler 9 does not exist: the channel is left out"}));
+}
+
 // Two triangles, of which the second follows a joint that an animation lets fly away; and a texture that is none.
 GltfBuilder flying_away()
 {

@@ -1,6 +1,7 @@
 #include "scene/gltf/gltf_accessor.h"
 
 #include "scene/gltf_document/gltf_losses.h"
+#include "scene/index.h"
 
 #include <algorithm>
 #include <cstring>
@@ -17,7 +18,7 @@ struct Layout {
     const std::uint8_t* first = nullptr; // null: all zeros
     std::size_t stride = 0;              // bytes from one element to the next
     std::size_t count = 0;
-    int component = 0; // TINYGLTF_COMPONENT_TYPE_*
+    int component = 0; // gltf::Component
     std::size_t components = 0;
     bool normalized = false;
 };
@@ -27,29 +28,38 @@ std::string accessor_name(int accessor)
     return text("accessor ", accessor);
 }
 
-const tinygltf::Accessor& find_accessor(const Document& document, const AccessorUse& use)
+const gltf::Accessor& find_accessor(const Document& document, const AccessorUse& use)
 {
     const auto& accessors = document.model.accessors;
     if (use.accessor < 0 || static_cast<std::size_t>(use.accessor) >= accessors.size())
         document.fail(use.what, ": accessor ", use.accessor, " does not exist");
-    const tinygltf::Accessor& accessor = accessors[static_cast<std::size_t>(use.accessor)];
-    if (is_broken(accessor.extensions))
+    const gltf::Accessor& accessor = accessors[static_cast<std::size_t>(use.accessor)];
+    if (accessor.is_broken)
         throw told_already();
     return accessor;
 }
 
-// Bytes of one component; 0 for the types that glTF does not have (tinygltf lets INT and DOUBLE through).
+// Of a type that glTF has.
+std::size_t components_of(std::string_view type)
+{
+    if (type == "SCALAR")
+        return 1;
+    const auto side = static_cast<std::size_t>(type.back() - '0');
+    return type.starts_with("MAT") ? side * side : side;
+}
+
+// Bytes of one component; 0 for what is no type of glTF: those of sparse indices were not looked at before.
 std::size_t component_bytes(int component)
 {
     switch (component) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+    case gltf::Component::i8:
+    case gltf::Component::u8:
         return 1;
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+    case gltf::Component::i16:
+    case gltf::Component::u16:
         return 2;
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
-    case TINYGLTF_COMPONENT_TYPE_FLOAT:
+    case gltf::Component::u32:
+    case gltf::Component::f32:
         return 4;
     default:
         return 0;
@@ -83,35 +93,32 @@ const std::uint8_t* check_run(const Document& document, const Run& run, const st
 
 Layout check_layout(const Document& document, const AccessorUse& use)
 {
-    const tinygltf::Accessor& accessor = find_accessor(document, use);
+    const gltf::Accessor& accessor = find_accessor(document, use);
     const std::string name = accessor_name(use.accessor);
     Layout layout;
     layout.count = accessor.count;
-    layout.component = accessor.componentType;
-    layout.components =
-        static_cast<std::size_t>(tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)));
+    layout.component = accessor.component_type;
+    layout.components = components_of(accessor.type);
     layout.normalized = accessor.normalized || use.normalized;
     layout.stride = element_bytes(layout);
-    if (layout.stride == 0)
-        document.fail(name, ": componentType ", accessor.componentType, " is not one of glTF");
     if (layout.count > std::numeric_limits<std::uint32_t>::max())
         document.fail(name, ": ", layout.count, " elements are more than an index can count");
-    if (accessor.bufferView < 0) {
+    if (accessor.buffer_view < 0) {
         if (layout.count > most_zeros)
             document.fail(name, ": ", layout.count, " elements without a bufferView, at most ", most_zeros,
                           " are read");
         return layout;
     }
     const std::uint64_t element = layout.stride;
-    view_bytes(document, accessor.bufferView, name); // the view exists: its stride may be looked at
-    const auto& view = document.model.bufferViews[static_cast<std::size_t>(accessor.bufferView)];
-    if (view.byteStride != 0 && view.byteStride < element)
-        document.fail(name, ": elements of ", element, " bytes overlap in bufferView ", accessor.bufferView,
-                      " (byteStride ", view.byteStride, ")");
-    if (view.byteStride != 0)
-        layout.stride = view.byteStride;
+    view_bytes(document, accessor.buffer_view, name); // the view exists: its stride may be looked at
+    const auto& view = document.model.buffer_views[static_cast<std::size_t>(accessor.buffer_view)];
+    if (view.byte_stride != 0 && view.byte_stride < element)
+        document.fail(name, ": elements of ", element, " bytes overlap in bufferView ", accessor.buffer_view,
+                      " (byteStride ", view.byte_stride, ")");
+    if (view.byte_stride != 0)
+        layout.stride = view.byte_stride;
     layout.first = check_run(
-        document, {accessor.bufferView, accessor.byteOffset, layout.count, layout.stride, element}, name);
+        document, {accessor.buffer_view, accessor.byte_offset, layout.count, layout.stride, element}, name);
     return layout;
 }
 
@@ -167,15 +174,15 @@ void copy_any(const Layout& layout, std::span<const std::uint32_t> selection, Ta
     if (layout.first == nullptr || layout.count == 0)
         return;
     switch (layout.component) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE:
+    case gltf::Component::i8:
         return copy_elements<std::int8_t>(layout, selection, out);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+    case gltf::Component::u8:
         return copy_elements<std::uint8_t>(layout, selection, out);
-    case TINYGLTF_COMPONENT_TYPE_SHORT:
+    case gltf::Component::i16:
         return copy_elements<std::int16_t>(layout, selection, out);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+    case gltf::Component::u16:
         return copy_elements<std::uint16_t>(layout, selection, out);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+    case gltf::Component::u32:
         return copy_elements<std::uint32_t>(layout, selection, out);
     default:
         return copy_elements<float>(layout, selection, out);
@@ -183,22 +190,21 @@ void copy_any(const Layout& layout, std::span<const std::uint32_t> selection, Ta
 }
 
 // The elements that the sparse part replaces.
-std::vector<std::uint32_t> sparse_indices(const Document& document, const tinygltf::Accessor& accessor,
+std::vector<std::uint32_t> sparse_indices(const Document& document, const gltf::Accessor& accessor,
                                           const std::string& name)
 {
-    const auto& sparse = accessor.sparse;
+    const gltf::Sparse& sparse = *accessor.sparse;
     Layout layout;
-    layout.count = static_cast<std::size_t>(sparse.count);
-    layout.component = sparse.indices.componentType;
+    layout.count = at(sparse.count);
+    layout.component = sparse.indices.component_type;
     layout.components = 1;
     layout.stride = element_bytes(layout);
-    if (sparse.indices.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT || layout.stride == 0)
-        document.fail(name, ": sparse indices of componentType ", sparse.indices.componentType);
-    layout.first =
-        check_run(document,
-                  {sparse.indices.bufferView, static_cast<std::uint64_t>(sparse.indices.byteOffset),
-                   layout.count, layout.stride, layout.stride},
-                  name + ", sparse indices");
+    if (layout.component == gltf::Component::f32 || layout.stride == 0)
+        document.fail(name, ": sparse indices of componentType ", layout.component);
+    layout.first = check_run(document,
+                             {sparse.indices.buffer_view, at(sparse.indices.byte_offset), layout.count,
+                              layout.stride, layout.stride},
+                             name + ", sparse indices");
     std::vector<std::uint32_t> indices(layout.count);
     copy_any(layout, {}, indices.data());
     for (const std::uint32_t index : indices)
@@ -210,18 +216,18 @@ std::vector<std::uint32_t> sparse_indices(const Document& document, const tinygl
 template <class Target>
 void apply_sparse(const Document& document, const AccessorUse& use, const Layout& base, Target* out)
 {
-    const tinygltf::Accessor& accessor = find_accessor(document, use);
+    const gltf::Accessor& accessor = find_accessor(document, use);
     const std::string name = accessor_name(use.accessor);
-    if (static_cast<std::size_t>(accessor.sparse.count) > accessor.count)
-        document.fail(name, ": more sparse elements (", accessor.sparse.count, ") than elements (",
-                      accessor.count, ")");
+    const gltf::Sparse& sparse = *accessor.sparse;
+    if (at(sparse.count) > accessor.count)
+        document.fail(name, ": more sparse elements (", sparse.count, ") than elements (", accessor.count,
+                      ")");
     const std::vector<std::uint32_t> indices = sparse_indices(document, accessor, name);
     Layout layout = base;
     layout.count = indices.size();
     layout.stride = element_bytes(base);
     layout.first = check_run(document,
-                             {accessor.sparse.values.bufferView,
-                              static_cast<std::uint64_t>(accessor.sparse.values.byteOffset), layout.count,
+                             {sparse.values.buffer_view, at(sparse.values.byte_offset), layout.count,
                               layout.stride, layout.stride},
                              name + ", sparse values");
     std::vector<Target> values(indices.size() * base.components);
@@ -246,22 +252,22 @@ std::vector<Element> read_elements(const Document& document, const AccessorUse& 
     std::vector<Element> elements(use.selection.empty() ? layout.count : use.selection.size(), Element(0));
     auto* out = reinterpret_cast<Target*>(elements.data());
     copy_any(layout, use.selection, out);
-    if (find_accessor(document, use).sparse.isSparse && !elements.empty())
+    if (find_accessor(document, use).sparse && !elements.empty())
         apply_sparse(document, use, layout, out);
     return elements;
 }
 
-Layout check_type(const Document& document, const AccessorUse& use, int type, const char* type_name)
+Layout check_type(const Document& document, const AccessorUse& use, std::string_view type)
 {
     const Layout layout = check_layout(document, use);
     if (find_accessor(document, use).type != type)
-        document.fail(use.what, ": accessor ", use.accessor, " is not ", type_name);
+        document.fail(use.what, ": accessor ", use.accessor, " is not ", type);
     return layout;
 }
 
 void check_integers(const Document& document, const AccessorUse& use, std::span<const int> allowed)
 {
-    const int component = find_accessor(document, use).componentType;
+    const int component = find_accessor(document, use).component_type;
     if (std::find(allowed.begin(), allowed.end(), component) == allowed.end())
         document.fail(use.what, ": accessor ", use.accessor, " has componentType ", component);
 }
@@ -281,30 +287,27 @@ void check_accessor(const Document& document, const AccessorUse& use)
 std::size_t sparse_count(const Document& document, int accessor)
 {
     const auto& sparse = find_accessor(document, {accessor, "sparse", false, {}}).sparse;
-    return sparse.isSparse ? static_cast<std::size_t>(sparse.count) : 0;
+    return sparse ? at(sparse->count) : 0;
 }
 
 std::vector<glm::vec2> read_vec2(const Document& document, const AccessorUse& use)
 {
-    return read_elements<float, glm::vec2>(document, use,
-                                           check_type(document, use, TINYGLTF_TYPE_VEC2, "VEC2"));
+    return read_elements<float, glm::vec2>(document, use, check_type(document, use, "VEC2"));
 }
 
 std::vector<glm::vec3> read_vec3(const Document& document, const AccessorUse& use)
 {
-    return read_elements<float, glm::vec3>(document, use,
-                                           check_type(document, use, TINYGLTF_TYPE_VEC3, "VEC3"));
+    return read_elements<float, glm::vec3>(document, use, check_type(document, use, "VEC3"));
 }
 
 std::vector<glm::vec4> read_vec4(const Document& document, const AccessorUse& use)
 {
-    return read_elements<float, glm::vec4>(document, use,
-                                           check_type(document, use, TINYGLTF_TYPE_VEC4, "VEC4"));
+    return read_elements<float, glm::vec4>(document, use, check_type(document, use, "VEC4"));
 }
 
 std::vector<glm::vec4> read_color(const Document& document, const AccessorUse& use)
 {
-    if (find_accessor(document, use).type != TINYGLTF_TYPE_VEC3)
+    if (find_accessor(document, use).type != "VEC3")
         return read_vec4(document, use);
     const std::vector<glm::vec3> rgb = read_vec3(document, use);
     std::vector<glm::vec4> colors(rgb.size());
@@ -314,36 +317,34 @@ std::vector<glm::vec4> read_color(const Document& document, const AccessorUse& u
 
 std::vector<glm::mat4> read_mat4(const Document& document, const AccessorUse& use)
 {
-    const Layout layout = check_type(document, use, TINYGLTF_TYPE_MAT4, "MAT4");
+    const Layout layout = check_type(document, use, "MAT4");
     check_floats(document, use);
     return read_elements<float, glm::mat4>(document, use, layout);
 }
 
 std::vector<float> read_scalars(const Document& document, const AccessorUse& use)
 {
-    return read_elements<float, float>(document, use,
-                                       check_type(document, use, TINYGLTF_TYPE_SCALAR, "SCALAR"));
+    return read_elements<float, float>(document, use, check_type(document, use, "SCALAR"));
 }
 
 void check_floats(const Document& document, const AccessorUse& use)
 {
-    constexpr int allowed[] = {TINYGLTF_COMPONENT_TYPE_FLOAT};
+    constexpr int allowed[] = {gltf::Component::f32};
     check_integers(document, use, allowed);
 }
 
 std::vector<std::uint32_t> read_indices(const Document& document, const AccessorUse& use)
 {
-    constexpr int allowed[] = {TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
-                               TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT};
-    const Layout layout = check_type(document, use, TINYGLTF_TYPE_SCALAR, "SCALAR");
+    constexpr int allowed[] = {gltf::Component::u8, gltf::Component::u16, gltf::Component::u32};
+    const Layout layout = check_type(document, use, "SCALAR");
     check_integers(document, use, allowed);
     return read_elements<std::uint32_t, std::uint32_t>(document, use, layout);
 }
 
 std::vector<glm::u16vec4> read_joints(const Document& document, const AccessorUse& use)
 {
-    constexpr int allowed[] = {TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT};
-    const Layout layout = check_type(document, use, TINYGLTF_TYPE_VEC4, "VEC4");
+    constexpr int allowed[] = {gltf::Component::u8, gltf::Component::u16};
+    const Layout layout = check_type(document, use, "VEC4");
     check_integers(document, use, allowed);
     return read_elements<std::uint16_t, glm::u16vec4>(document, use, layout);
 }

@@ -69,12 +69,12 @@ public:
     void warn();
 
 private:
-    std::optional<Track> read_track(const AnimationSource& source, const AnimationSource::Channel& channel,
+    std::optional<Track> read_track(const gltf::Animation& source, const gltf::AnimationChannel& channel,
                                     const std::string& name);
-    bool is_known(const AnimationSource::Channel& channel);
-    Curve read_curve(const AnimationSource::Sampler& sampler, const Track& track, const std::string& name);
-    void read_times(const AnimationSource::Sampler& sampler, const std::string& name, Curve& curve);
-    void read_values(const AnimationSource::Sampler& sampler, Animated property, const std::string& name,
+    bool is_known(const gltf::AnimationChannel& channel);
+    Curve read_curve(const gltf::AnimationSampler& sampler, const Track& track, const std::string& name);
+    void read_times(const gltf::AnimationSampler& sampler, const std::string& name, Curve& curve);
+    void read_values(const gltf::AnimationSampler& sampler, Animated property, const std::string& name,
                      Curve& curve) const;
     void check_values(const std::string& name, const Curve& curve) const;
     void spend(std::uint64_t numbers);
@@ -96,8 +96,7 @@ void AnimationReader::spend(std::uint64_t numbers)
 }
 
 // Two keys at one time are a jump: from there on the later one counts.
-void AnimationReader::read_times(const AnimationSource::Sampler& sampler, const std::string& name,
-                                 Curve& curve)
+void AnimationReader::read_times(const gltf::AnimationSampler& sampler, const std::string& name, Curve& curve)
 {
     std::size_t jumps = 0;
     const AccessorUse use{sampler.input, name + ", input", false, {}};
@@ -117,7 +116,7 @@ void AnimationReader::read_times(const AnimationSource::Sampler& sampler, const 
 }
 
 // Whole numbers are fractions in rotations and weights; lengths and factors must be floats. [glTF 2.0, 3.11]
-void AnimationReader::read_values(const AnimationSource::Sampler& sampler, Animated property,
+void AnimationReader::read_values(const gltf::AnimationSampler& sampler, Animated property,
                                   const std::string& name, Curve& curve) const
 {
     AccessorUse use{sampler.output, name + ", output", true, {}};
@@ -147,7 +146,7 @@ void AnimationReader::check_values(const std::string& name, const Curve& curve) 
     }
 }
 
-Curve AnimationReader::read_curve(const AnimationSource::Sampler& sampler, const Track& track,
+Curve AnimationReader::read_curve(const gltf::AnimationSampler& sampler, const Track& track,
                                   const std::string& name)
 {
     if (sampler.is_broken)
@@ -184,46 +183,48 @@ Curve AnimationReader::read_curve(const AnimationSource::Sampler& sampler, const
 }
 
 // Counts what is left out.
-bool AnimationReader::is_known(const AnimationSource::Channel& channel)
+bool AnimationReader::is_known(const gltf::AnimationChannel& channel)
 {
-    const std::optional<Animated> property = property_of(channel.path);
-    if (channel.node < 0 || !property) {
+    const std::optional<Animated> property = property_of(channel.target.path);
+    if (channel.target.node < 0 || !property) {
         ++unknown_;
         return false;
     }
     const bool weights = *property == Animated::weights;
-    const bool shapeless = weights && target_count(document_, channel.node) == 0;
-    const bool matrix = !weights && !document_.model.nodes[at(channel.node)].matrix.empty();
+    const bool shapeless = weights && target_count(document_, channel.target.node) == 0;
+    const bool matrix = !weights && !document_.model.nodes[at(channel.target.node)].matrix.empty();
     shapeless_ += shapeless ? 1 : 0;
     matrices_ += matrix ? 1 : 0;
     return !shapeless && !matrix;
 }
 
-std::optional<Track> AnimationReader::read_track(const AnimationSource& source,
-                                                 const AnimationSource::Channel& channel,
+std::optional<Track> AnimationReader::read_track(const gltf::Animation& source,
+                                                 const gltf::AnimationChannel& channel,
                                                  const std::string& name)
 {
-    if (channel.node >= 0 && at(channel.node) >= document_.model.nodes.size())
-        document_.fail(name, ": node ", channel.node, " does not exist");
+    if (channel.target.node >= 0 && at(channel.target.node) >= document_.model.nodes.size())
+        document_.fail(name, ": node ", channel.target.node, " does not exist");
     if (at(channel.sampler) >= source.samplers.size())
         document_.fail(name, ": sampler ", channel.sampler, " does not exist");
     if (!is_known(channel))
         return std::nullopt;
     Track track;
-    track.node = channel.node;
-    track.property = *property_of(channel.path);
+    track.node = channel.target.node;
+    track.property = *property_of(channel.target.path);
     return track;
 }
 
 Animation AnimationReader::read(std::size_t index)
 {
-    const AnimationSource& source = document_.animations[index];
+    const gltf::Animation& source = document_.model.animations[index];
     const std::string name = text("animation ", index);
     Animation animation;
     animation.info.name = source.name.empty() ? text("animation", index) : source.name;
     std::set<std::pair<int, Animated>> targets;
     for (std::size_t i = 0; i < source.channels.size(); ++i) {
-        const AnimationSource::Channel& channel = source.channels[i];
+        const gltf::AnimationChannel& channel = source.channels[i];
+        if (channel.is_broken)
+            continue;
         std::optional<Track> track;
         const bool whole = losses_.spare("the channel is left out", [&] {
             track = read_track(source, channel, text(name, ", channel ", i));
@@ -285,7 +286,7 @@ std::vector<Animation> read_animations(const Document& document, Warnings& warni
 {
     AnimationReader reader(document, warnings);
     std::vector<Animation> animations;
-    for (std::size_t i = 0; i < document.animations.size(); ++i)
+    for (std::size_t i = 0; i < document.model.animations.size(); ++i)
         animations.push_back(reader.read(i));
     reader.warn();
     return animations;
@@ -300,7 +301,7 @@ Pose pose_of(const Document& document, std::span<const Animation> animations,
             NodePose& node = pose[track.node];
             if (track.property != Animated::weights || node.morphs)
                 continue;
-            const tinygltf::Node& source = document.model.nodes[at(track.node)];
+            const gltf::Node& source = document.model.nodes[at(track.node)];
             node.weights =
                 source.weights.empty() ? document.model.meshes[at(source.mesh)].weights : source.weights;
             node.morphs = true;

@@ -1,7 +1,6 @@
 #include "scene/gltf/gltf_deform.h"
 
 #include "scene/gltf/gltf_accessor.h"
-#include "scene/gltf_document/gltf_json.h"
 #include "scene/index.h"
 
 #include <glm/geometric.hpp>
@@ -156,12 +155,13 @@ std::vector<glm::mat4> skin_matrices(const Document& document, const NodeTree& n
 {
     if (skin < 0 || at(skin) >= document.model.skins.size())
         document.fail("skin ", skin, " does not exist");
-    const tinygltf::Skin& source = document.model.skins[at(skin)];
-    if (is_broken(source.extensions))
+    const gltf::Skin& source = document.model.skins[at(skin)];
+    if (source.is_broken)
         throw told_already();
     std::vector<glm::mat4> inverse_bind;
-    if (source.inverseBindMatrices >= 0 && !source.joints.empty()) {
-        AccessorUse use{source.inverseBindMatrices, text("skin ", skin, ", inverseBindMatrices"), false, {}};
+    if (source.inverse_bind_matrices >= 0 && !source.joints.empty()) {
+        AccessorUse use{
+            source.inverse_bind_matrices, text("skin ", skin, ", inverseBindMatrices"), false, {}};
         if (const std::size_t count = accessor_count(document, use); count < source.joints.size())
             document.fail("skin ", skin, ": ", count, " inverse bind matrices for ", source.joints.size(),
                           " joints");
@@ -176,7 +176,7 @@ std::vector<glm::mat4> skin_matrices(const Document& document, const NodeTree& n
     std::vector<glm::mat4> matrices;
     for (std::size_t joint = 0; joint < source.joints.size(); ++joint) {
         const int node = source.joints[joint];
-        if (node == unreadable_index)
+        if (node == gltf::unreadable_index)
             throw told_already();
         if (node < 0 || at(node) >= nodes.world.size())
             document.fail("skin ", skin, ": joint node ", node, " does not exist");
@@ -186,7 +186,7 @@ std::vector<glm::mat4> skin_matrices(const Document& document, const NodeTree& n
     return matrices;
 }
 
-bool has_skin_attributes(const tinygltf::Primitive& primitive)
+bool has_skin_attributes(const gltf::Primitive& primitive)
 {
     return primitive.attributes.contains("JOINTS_0") && primitive.attributes.contains("WEIGHTS_0");
 }

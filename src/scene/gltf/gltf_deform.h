@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/gltf_document/gltf_document.h"
+#include "scene/scene.h"
 #include "scene/gltf_document/gltf_losses.h"
 #include "scene/gltf/gltf_nodes.h"
 
@@ -16,7 +17,7 @@ namespace lambent::scene {
 
 /// One primitive of the file, and which of its vertices are read (ascending; empty: all).
 struct PrimitivePart {
-    const tinygltf::Primitive& primitive;
+    const gltf::Primitive& primitive;
     std::string name; ///< "mesh 0, primitive 1"
     std::span<const std::uint32_t> selection;
 };
@@ -31,7 +32,7 @@ std::size_t apply_morph_targets(const Document& document, const PrimitivePart& p
 /// bind matrices that do not exist or are not finite.
 std::vector<glm::mat4> skin_matrices(const Document& document, const NodeTree& nodes, int skin);
 
-bool has_skin_attributes(const tinygltf::Primitive& primitive);
+bool has_skin_attributes(const gltf::Primitive& primitive);
 
 /// Moves the vertices into the world by their joints. Where the movement mirrors, triangles are turned
 /// over, so that their fronts stay in front. Vertices whose weights sum to 0 follow their first joint.

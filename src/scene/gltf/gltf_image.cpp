@@ -23,7 +23,7 @@ struct Encoded {
 
 Encoded find_bytes(const Document& document, int index)
 {
-    const ImageSource& source = document.images[static_cast<std::size_t>(index)];
+    const gltf::Image& source = document.model.images[static_cast<std::size_t>(index)];
     Encoded encoded;
     encoded.name = text(document.file, ": image ", index);
     if (source.is_broken)

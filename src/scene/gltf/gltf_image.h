@@ -3,6 +3,7 @@
 
 #include "scene/scene.h"
 #include "scene/gltf_document/gltf_document.h"
+#include "scene/scene.h"
 
 #include <span>
 #include <vector>

@@ -1,6 +1,7 @@
 #include "scene/gltf/gltf_instancing.h"
 
 #include "scene/gltf/gltf_accessor.h"
+#include "scene/index.h"
 
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/ext/quaternion_double.hpp>
@@ -17,7 +18,7 @@ constexpr const char* extension_name = "EXT_mesh_gpu_instancing";
 
 class InstanceReader {
 public:
-    InstanceReader(const Document& document, int node, const tinygltf::Value& attributes)
+    InstanceReader(const Document& document, int node, const gltf::AttributeMap& attributes)
         : document_(document), node_(node), attributes_(attributes)
     {
     }
@@ -29,7 +30,7 @@ public:
     std::optional<Counts> counts() const
     {
         std::optional<Counts> counts;
-        for (const std::string& name : attributes_.Keys()) {
+        for (const auto& [name, accessor] : attributes_) {
             const std::size_t count = accessor_count(document_, use(name));
             counts = counts ? Counts{std::min(counts->least, count), std::max(counts->most, count)}
                             : Counts{count, count};
@@ -45,14 +46,14 @@ public:
         instances.count = count;
         if (count == 0)
             return instances;
-        if (attributes_.Has("TRANSLATION"))
+        if (attributes_.contains("TRANSLATION"))
             instances.translations = read_vec3(document_, use("TRANSLATION", first));
-        if (attributes_.Has("ROTATION")) {
+        if (attributes_.contains("ROTATION")) {
             AccessorUse rotations = use("ROTATION", first);
             rotations.normalized = true;
             instances.rotations = read_vec4(document_, rotations);
         }
-        if (attributes_.Has("SCALE"))
+        if (attributes_.contains("SCALE"))
             instances.scales = read_vec3(document_, use("SCALE", first));
         return instances;
     }
@@ -60,13 +61,13 @@ public:
 private:
     AccessorUse use(const std::string& name, std::span<const std::uint32_t> selection = {}) const
     {
-        return {attributes_.Get(name).GetNumberAsInt(),
-                text("node ", node_, ", ", extension_name, ", ", printable(name)), false, selection};
+        return {attributes_.at(name), text("node ", node_, ", ", extension_name, ", ", printable(name)),
+                false, selection};
     }
 
     const Document& document_;
     int node_;
-    const tinygltf::Value& attributes_;
+    const gltf::AttributeMap& attributes_;
 };
 
 } // namespace
@@ -86,11 +87,7 @@ glm::dmat4 NodeInstances::transform(std::size_t instance) const
 std::optional<NodeInstances> read_instances(const Document& document, int node, std::size_t most,
                                             Losses& losses)
 {
-    const auto& extensions = document.model.nodes[static_cast<std::size_t>(node)].extensions;
-    const auto extension = extensions.find(extension_name);
-    if (extension == extensions.end() || !extension->second.Has("attributes"))
-        return std::nullopt;
-    const InstanceReader reader(document, node, extension->second.Get("attributes"));
+    const InstanceReader reader(document, node, document.model.nodes[at(node)].instances);
     const auto warn = [&](const auto&... parts) {
         losses.add(text(document.file, ": node ", node, ", ", extension_name, ": ", parts...));
     };

@@ -34,20 +34,20 @@ Camera read_lens(const Document& document, int index)
 {
     if (index < 0 || at(index) >= document.model.cameras.size())
         document.fail("camera ", index, " does not exist");
-    const tinygltf::Camera& source = document.model.cameras[at(index)];
-    if (is_broken(source.extensions))
+    const gltf::Camera& source = document.model.cameras[at(index)];
+    if (source.is_broken)
         throw told_already();
     Camera camera;
     camera.name = source.name;
     if (source.type == "perspective") {
-        if (!(source.perspective.yfov > 0.0 && source.perspective.yfov < half_turn))
-            document.fail("camera ", index, ": yfov ", source.perspective.yfov, " is not between 0 and pi");
-        camera.vertical_fov = static_cast<float>(source.perspective.yfov);
+        if (!(source.perspective->yfov > 0.0 && source.perspective->yfov < half_turn))
+            document.fail("camera ", index, ": yfov ", source.perspective->yfov, " is not between 0 and pi");
+        camera.vertical_fov = static_cast<float>(source.perspective->yfov);
     } else {
         // ymag is half of what is seen; a negative one would turn the picture over and is read as positive.
-        camera.vertical_size = static_cast<float>(2.0 * std::abs(source.orthographic.ymag));
+        camera.vertical_size = static_cast<float>(2.0 * std::abs(source.orthographic->ymag));
         if (!(camera.vertical_size > 0.0f && std::isfinite(camera.vertical_size)))
-            document.fail("camera ", index, ": ymag ", source.orthographic.ymag, " is no size");
+            document.fail("camera ", index, ": ymag ", source.orthographic->ymag, " is no size");
     }
     return camera;
 }
@@ -61,15 +61,14 @@ bool are_planes(double nearest, double near, double far)
 // What a camera says besides the height of what it sees. [glTF 2.0, 3.10.3]
 void read_extent(const Document& document, int index, Losses& losses, Camera& camera)
 {
-    const tinygltf::Camera& source = document.model.cameras[at(index)];
+    const gltf::Camera& source = document.model.cameras[at(index)];
     const auto warn = [&](const char* what) {
         losses.add(text(document.file, ": camera ", index, ": ", what));
     };
     const bool perspective = source.type == "perspective";
-    const auto& p = source.perspective;
-    const auto& o = source.orthographic;
-    // An aspect of 0 is none given, as tinygltf has it.
-    const double aspect = perspective ? p.aspectRatio : std::abs(o.xmag / o.ymag);
+    const gltf::Perspective p = source.perspective.value_or(gltf::Perspective());
+    const gltf::Orthographic o = source.orthographic.value_or(gltf::Orthographic());
+    const double aspect = perspective ? p.aspect_ratio : std::abs(o.xmag / o.ymag);
     if (!perspective && (o.xmag < 0.0 || o.ymag < 0.0))
         warn("a negative xmag or ymag would mirror the picture: read as positive");
     if (static_cast<float>(aspect) > 0.0f && std::isfinite(static_cast<float>(aspect)))
@@ -87,33 +86,26 @@ void read_extent(const Document& document, int index, Losses& losses, Camera& ca
     camera.far = static_cast<float>(far);
 }
 
-// Index of the light that a node carries; -1 for none.
-int light_of(const tinygltf::Node& node)
+glm::vec3 light_intensity(const Document& document, const gltf::Light& light, const std::string& name)
 {
-    const auto extension = node.extensions.find("KHR_lights_punctual");
-    return extension == node.extensions.end() ? -1 : extension->second.Get("light").GetNumberAsInt();
-}
-
-glm::vec3 light_intensity(const Document& document, const tinygltf::Light& light, const std::string& name)
-{
-    glm::vec3 intensity(static_cast<float>(light.intensity));
-    for (std::size_t channel = 0; channel < light.color.size(); ++channel)
-        intensity[static_cast<int>(channel)] = static_cast<float>(light.intensity * light.color[channel]);
-    for (int channel = 0; channel < 3; ++channel)
+    glm::vec3 intensity;
+    for (int channel = 0; channel < 3; ++channel) {
+        intensity[channel] = static_cast<float>(light.intensity * light.color[at(channel)]);
         if (!(intensity[channel] >= 0.0f && std::isfinite(intensity[channel])))
             document.fail(name, ": its intensity times colour is negative or too large");
+    }
     return intensity;
 }
 
-void read_cones(const tinygltf::SpotLight& spot, const std::string& name, Losses& losses, Light& light)
+void read_cones(const gltf::Spot& spot, const std::string& name, Losses& losses, Light& light)
 {
     const double most = half_turn / 2.0;
-    const double outer = std::min(spot.outerConeAngle, most);
+    const double outer = std::min(spot.outer_cone_angle, most);
     if (!(outer > 0.0))
-        refuse(name, ": outerConeAngle ", spot.outerConeAngle, " leaves no cone");
-    const double inner = std::clamp(spot.innerConeAngle, 0.0, outer);
-    if (inner != spot.innerConeAngle || spot.outerConeAngle > most + 1e-6)
-        losses.add(text(name, ": cone angles ", spot.innerConeAngle, " and ", spot.outerConeAngle,
+        refuse(name, ": outerConeAngle ", spot.outer_cone_angle, " leaves no cone");
+    const double inner = std::clamp(spot.inner_cone_angle, 0.0, outer);
+    if (inner != spot.inner_cone_angle || spot.outer_cone_angle > most + 1e-6)
+        losses.add(text(name, ": cone angles ", spot.inner_cone_angle, " and ", spot.outer_cone_angle,
                         " are not 0 <= inner <= outer <= pi/2"),
                    text(inner, " and ", outer, " are used"));
     light.inner_cone = static_cast<float>(inner);
@@ -125,8 +117,8 @@ Light read_light(const Document& document, int index, Losses& losses)
     const std::string name = text("light ", index);
     if (index < 0 || at(index) >= document.model.lights.size())
         document.fail(name, " does not exist");
-    const tinygltf::Light& source = document.model.lights[at(index)];
-    if (is_broken(source.extensions))
+    const gltf::Light& source = document.model.lights[at(index)];
+    if (source.is_broken)
         throw told_already();
     Light light;
     if (source.type == "directional")
@@ -154,7 +146,7 @@ std::vector<Camera> read_cameras(const Document& document, const NodeTree& nodes
     std::vector<Camera> cameras;
     Losses losses(document.file, warnings);
     for (const int node : nodes.drawn) {
-        const tinygltf::Node& source = document.model.nodes[at(node)];
+        const gltf::Node& source = document.model.nodes[at(node)];
         if (source.camera < 0)
             continue;
         Camera camera;
@@ -181,7 +173,7 @@ std::vector<Light> read_lights(const Document& document, const NodeTree& nodes, 
     std::vector<Light> lights;
     Losses losses(document.file, warnings);
     for (const int node : nodes.drawn) {
-        const int index = light_of(document.model.nodes[at(node)]);
+        const int index = document.model.nodes[at(node)].light;
         if (index < 0 || nodes.hidden[at(node)])
             continue;
         Light light;

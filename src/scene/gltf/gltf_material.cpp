@@ -1,19 +1,59 @@
 #include "scene/gltf/gltf_material.h"
 
+#include "scene/gltf/gltf_sampler.h"
 #include "scene/gltf_document/gltf_losses.h"
 #include "scene/index.h"
 
 #include <glm/matrix.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <optional>
 #include <string_view>
 #include <utility>
 
 namespace lambent::scene {
 namespace {
+
+// A number that a material has at a place in its JSON: what stands for it where the file has none, and its range.
+struct Factor {
+    std::string_view path;
+    double missing;
+    double low, high;
+    std::string_view name = {}; ///< in messages; empty: the path's last word
+};
+
+constexpr double huge = 1e30; // leaves room for what is multiplied onto it
+constexpr double any = std::numeric_limits<float>::max();
+constexpr Factor base_color{"pbrMetallicRoughness/baseColorFactor", 1.0, 0.0, 1.0};
+constexpr Factor metallic{"pbrMetallicRoughness/metallicFactor", 1.0, 0.0, 1.0};
+constexpr Factor roughness{"pbrMetallicRoughness/roughnessFactor", 1.0, 0.0, 1.0};
+constexpr Factor normal_scale{"normalTexture/scale", 1.0, -any, any};
+constexpr Factor occlusion_strength{"occlusionTexture/strength", 1.0, 0.0, 1.0, "occlusion strength"};
+constexpr Factor emissive{"emissiveFactor", 0.0, 0.0, 1.0};
+constexpr Factor emissive_strength{"extensions/KHR_materials_emissive_strength/emissiveStrength", 1.0, 0.0,
+                                   huge};
+constexpr Factor alpha_cutoff{"alphaCutoff", 0.5, 0.0, huge};
+
+std::string_view last_word(std::string_view path)
+{
+    return path.substr(path.rfind('/') + 1); // npos + 1 is 0
+}
+
+// What the file says at a place; none: nothing.
+std::optional<double> number_at(const gltf::Material& source, std::string_view path, std::size_t component)
+{
+    if (const auto found = source.factors.find(path); found != source.factors.end())
+        return found->second[component];
+    // A texture's own.
+    const std::string_view name = last_word(path);
+    const auto texture = source.textures.find(path.substr(0, path.size() - name.size() - 1));
+    if (path == name || texture == source.textures.end())
+        return std::nullopt;
+    return name == "scale" ? texture->second.scale : texture->second.strength;
+}
 
 // The file's texture settings, read while images that are used get their numbers.
 class MaterialReader {
@@ -24,18 +64,16 @@ public:
     const std::vector<int>& images() const { return images_; }
 
 private:
-    void read_metallic_roughness(const tinygltf::PbrMetallicRoughness& source, Material& material);
-    void read_emission(const tinygltf::Material& source, Material& material);
-    void read_alpha(const tinygltf::Material& source, Material& material);
+    void read_metallic_roughness(const gltf::Material& source, Material& material);
+    void read_emission(const gltf::Material& source, Material& material);
+    void read_alpha(const gltf::Material& source, Material& material);
 
-    template <class Info>
-    TextureUse read_texture(const Info& info, const char* slot);
-    template <class Info>
-    TextureUse find_texture(const Info& info, const char* slot);
+    float read_factor(const gltf::Material& source, const Factor& factor, std::size_t component = 0);
+    TextureUse read_texture(const gltf::Material& source, std::string_view path);
+    TextureUse find_texture(const gltf::TextureInfo& info, std::string_view slot);
     Sampler read_sampler(int index);
     int scene_image(int image);
 
-    float clamped(double value, double low, double high, const char* property);
     template <class... Parts>
     void warn(const Parts&... parts)
     {
@@ -49,18 +87,20 @@ private:
     std::vector<int> images_;
 };
 
-float MaterialReader::clamped(double value, double low, double high, const char* property)
+float MaterialReader::read_factor(const gltf::Material& source, const Factor& factor, std::size_t component)
 {
-    const double kept = std::clamp(value, low, high);
+    const double value = number_at(source, factor.path, component).value_or(factor.missing);
+    const double kept = std::clamp(value, factor.low, factor.high);
     if (kept != value)
-        warn(property, " ", value, " is outside its range: ", kept, " is used");
+        warn(factor.name.empty() ? last_word(factor.path) : factor.name, " ", value,
+             " is outside its range: ", kept, " is used");
     return static_cast<float>(kept);
 }
 
 // Images that name the same bytes become one.
 int MaterialReader::scene_image(int image)
 {
-    const ImageSource& source = document_.images[at(image)];
+    const gltf::Image& source = document_.model.images[at(image)];
     const auto [found, is_new] =
         image_index_.try_emplace({source.buffer_view, source.uri}, static_cast<int>(images_.size()));
     if (is_new)
@@ -68,90 +108,22 @@ int MaterialReader::scene_image(int image)
     return found->second;
 }
 
-Wrap read_wrap(const Document& document, int code, int sampler)
-{
-    switch (code) {
-    case TINYGLTF_TEXTURE_WRAP_REPEAT:
-        return Wrap::repeat;
-    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
-        return Wrap::mirrored_repeat;
-    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
-        return Wrap::clamp_to_edge;
-    default:
-        document.fail("sampler ", sampler, ": wrap mode ", code, " is not one of glTF");
-    }
-}
-
-void read_magnification(const Document& document, int code, int index, Sampler& sampler)
-{
-    switch (code) {
-    case -1:
-    case TINYGLTF_TEXTURE_FILTER_LINEAR:
-        break;
-    case TINYGLTF_TEXTURE_FILTER_NEAREST:
-        sampler.magnify_nearest = true;
-        break;
-    default:
-        document.fail("sampler ", index, ": magFilter ", code, " is not one of glTF");
-    }
-}
-
-void read_minification(const Document& document, int code, int index, Sampler& sampler)
-{
-    switch (code) {
-    case -1:
-    case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR:
-        break;
-    case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST:
-    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
-    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR:
-        sampler.minify_nearest = code != TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST;
-        sampler.nearest_mipmap = code != TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR;
-        break;
-    case TINYGLTF_TEXTURE_FILTER_LINEAR:
-    case TINYGLTF_TEXTURE_FILTER_NEAREST:
-        sampler.minify_nearest = code == TINYGLTF_TEXTURE_FILTER_NEAREST;
-        sampler.mipmapped = false;
-        break;
-    default:
-        document.fail("sampler ", index, ": minFilter ", code, " is not one of glTF");
-    }
-}
-
 Sampler MaterialReader::read_sampler(int index)
 {
-    Sampler sampler;
     if (index < 0)
-        return sampler;
-    if (at(index) >= document_.model.samplers.size()) {
-        warn("sampler ", index, " does not exist: repeating and smooth");
-        return sampler;
-    }
-    const tinygltf::Sampler& source = document_.model.samplers[at(index)];
-    losses_.spare("it repeats", [&] { sampler.wrap_u = read_wrap(document_, source.wrapS, index); });
-    losses_.spare("it repeats", [&] { sampler.wrap_v = read_wrap(document_, source.wrapT, index); });
-    losses_.spare("it is smooth", [&] { read_magnification(document_, source.magFilter, index, sampler); });
-    losses_.spare("it is smooth", [&] { read_minification(document_, source.minFilter, index, sampler); });
-    return sampler;
-}
-
-std::array<double, 2> two_numbers(const tinygltf::Value& object, const char* name,
-                                  std::array<double, 2> missing)
-{
-    if (!object.Has(name))
-        return missing;
-    const tinygltf::Value& array = object.Get(name);
-    return {array.Get(0).GetNumberAsDouble(), array.Get(1).GetNumberAsDouble()};
+        return {};
+    if (at(index) < document_.model.samplers.size())
+        return scene::read_sampler(document_, index, losses_);
+    warn("sampler ", index, " does not exist: repeating and smooth");
+    return {};
 }
 
 // T * R * S, where R turns by -rotation as the formula is usually written: v counts downwards. The listing in
 // the extension's text has the other sign; its example and the implementations agree on this one
 // (KhronosGroup/glTF issue 1563). [KHR_texture_transform]
-glm::mat3 transform_of(const tinygltf::Value& extension)
+glm::mat3 transform_of(const gltf::TextureTransform& transform)
 {
-    const auto offset = two_numbers(extension, "offset", {0.0, 0.0});
-    const auto scale = two_numbers(extension, "scale", {1.0, 1.0});
-    const double angle = extension.Has("rotation") ? extension.Get("rotation").GetNumberAsDouble() : 0.0;
+    const auto& [offset, scale, angle, tex_coord] = transform;
     const double c = std::cos(angle);
     const double s = std::sin(angle);
     // Columns: what u becomes, what v becomes, where the origin goes.
@@ -159,80 +131,70 @@ glm::mat3 transform_of(const tinygltf::Value& extension)
             glm::vec3(offset[0], offset[1], 1.0)};
 }
 
-template <class Info>
-TextureUse MaterialReader::read_texture(const Info& info, const char* slot)
+TextureUse MaterialReader::read_texture(const gltf::Material& source, std::string_view path)
 {
     TextureUse use;
-    if (info.index >= 0)
-        losses_.spare("the texture is left out", [&] { use = find_texture(info, slot); });
+    if (const auto found = source.textures.find(path); found != source.textures.end())
+        losses_.spare("the texture is left out", [&] { use = find_texture(found->second, last_word(path)); });
     return use;
 }
 
-template <class Info>
-TextureUse MaterialReader::find_texture(const Info& info, const char* slot)
+TextureUse MaterialReader::find_texture(const gltf::TextureInfo& info, std::string_view slot)
 {
     TextureUse use;
     const auto& textures = document_.model.textures;
     if (at(info.index) >= textures.size())
         document_.fail(name_, ", ", slot, ": texture ", info.index, " does not exist");
-    const tinygltf::Texture& texture = textures[at(info.index)];
-    if (is_broken(texture.extensions))
+    const gltf::Texture& texture = textures[at(info.index)];
+    if (texture.is_broken)
         throw told_already();
     use.sampler = read_sampler(texture.sampler);
-    use.texcoord = info.texCoord;
-    const auto extension = info.extensions.find("KHR_texture_transform");
-    if (extension != info.extensions.end()) {
-        use.transform = transform_of(extension->second);
-        if (extension->second.Has("texCoord"))
-            use.texcoord = extension->second.Get("texCoord").GetNumberAsInt();
+    use.texcoord = info.tex_coord;
+    if (info.transform) {
+        use.transform = transform_of(*info.transform);
+        use.texcoord = info.transform->tex_coord.value_or(info.tex_coord);
     }
     if (texture.source < 0) {
         warn(slot, ": texture ", info.index, " has no PNG or JPEG image: left out");
         return {};
     }
-    if (at(texture.source) >= document_.images.size())
+    if (at(texture.source) >= document_.model.images.size())
         document_.fail("texture ", info.index, ": image ", texture.source, " does not exist");
     use.image = scene_image(texture.source);
     return use;
 }
 
-void MaterialReader::read_metallic_roughness(const tinygltf::PbrMetallicRoughness& source, Material& material)
+void MaterialReader::read_metallic_roughness(const gltf::Material& source, Material& material)
 {
     for (int channel = 0; channel < 4; ++channel)
-        material.base_color[channel] =
-            clamped(source.baseColorFactor[at(channel)], 0.0, 1.0, "baseColorFactor");
-    material.metallic = clamped(source.metallicFactor, 0.0, 1.0, "metallicFactor");
-    material.perceptual_roughness = clamped(source.roughnessFactor, 0.0, 1.0, "roughnessFactor");
-    material.base_color_texture = read_texture(source.baseColorTexture, "baseColorTexture");
+        material.base_color[channel] = read_factor(source, base_color, at(channel));
+    material.metallic = read_factor(source, metallic);
+    material.perceptual_roughness = read_factor(source, roughness);
+    material.base_color_texture = read_texture(source, "pbrMetallicRoughness/baseColorTexture");
     material.metallic_roughness_texture =
-        read_texture(source.metallicRoughnessTexture, "metallicRoughnessTexture");
+        read_texture(source, "pbrMetallicRoughness/metallicRoughnessTexture");
 }
 
-void MaterialReader::read_emission(const tinygltf::Material& source, Material& material)
+void MaterialReader::read_emission(const gltf::Material& source, Material& material)
 {
-    constexpr double most = 1e30; // leaves room for what is multiplied onto it
-    double strength = 1.0;
-    const auto extension = source.extensions.find("KHR_materials_emissive_strength");
-    if (extension != source.extensions.end() && extension->second.Has("emissiveStrength"))
-        strength = clamped(extension->second.Get("emissiveStrength").GetNumberAsDouble(), 0.0, most,
-                           "emissiveStrength");
+    const double strength = read_factor(source, emissive_strength);
     for (int channel = 0; channel < 3; ++channel)
-        material.emissive[channel] = static_cast<float>(
-            strength * clamped(source.emissiveFactor[at(channel)], 0.0, 1.0, "emissiveFactor"));
-    material.emissive_texture = read_texture(source.emissiveTexture, "emissiveTexture");
+        material.emissive[channel] =
+            static_cast<float>(strength * read_factor(source, emissive, at(channel)));
+    material.emissive_texture = read_texture(source, "emissiveTexture");
 }
 
-void MaterialReader::read_alpha(const tinygltf::Material& source, Material& material)
+void MaterialReader::read_alpha(const gltf::Material& source, Material& material)
 {
-    if (source.alphaMode == "OPAQUE")
+    if (source.alpha_mode == "OPAQUE")
         material.alpha_mode = AlphaMode::opaque;
-    else if (source.alphaMode == "MASK")
+    else if (source.alpha_mode == "MASK")
         material.alpha_mode = AlphaMode::mask;
-    else if (source.alphaMode == "BLEND")
+    else if (source.alpha_mode == "BLEND")
         material.alpha_mode = AlphaMode::blend;
     else
-        warn("alphaMode \"", printable(source.alphaMode), "\" is not one of glTF: OPAQUE is used");
-    material.alpha_cutoff = clamped(source.alphaCutoff, 0.0, 1e30, "alphaCutoff");
+        warn("alphaMode \"", printable(source.alpha_mode), "\" is not one of glTF: OPAQUE is used");
+    material.alpha_cutoff = read_factor(source, alpha_cutoff);
 }
 
 Material MaterialReader::read(int index)
@@ -241,17 +203,17 @@ Material MaterialReader::read(int index)
     if (index < 0)
         return material;
     name_ = text("material ", index);
-    const tinygltf::Material& source = document_.model.materials[at(index)];
+    const gltf::Material& source = document_.model.materials[at(index)];
     material.name = source.name;
-    read_metallic_roughness(source.pbrMetallicRoughness, material);
-    material.normal_texture = read_texture(source.normalTexture, "normalTexture");
-    material.normal_scale = static_cast<float>(source.normalTexture.scale);
-    material.occlusion_texture = read_texture(source.occlusionTexture, "occlusionTexture");
-    material.occlusion_strength = clamped(source.occlusionTexture.strength, 0.0, 1.0, "occlusion strength");
+    read_metallic_roughness(source, material);
+    material.normal_texture = read_texture(source, "normalTexture");
+    material.normal_scale = read_factor(source, normal_scale);
+    material.occlusion_texture = read_texture(source, "occlusionTexture");
+    material.occlusion_strength = read_factor(source, occlusion_strength);
     read_emission(source, material);
     read_alpha(source, material);
-    material.double_sided = source.doubleSided;
-    material.unlit = source.extensions.contains("KHR_materials_unlit");
+    material.double_sided = source.double_sided;
+    material.unlit = source.unlit;
     return material;
 }
 

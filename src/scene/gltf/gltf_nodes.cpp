@@ -1,6 +1,5 @@
 #include "scene/gltf/gltf_nodes.h"
 
-#include "scene/gltf_document/gltf_json.h"
 #include "scene/gltf_document/gltf_losses.h"
 #include "scene/index.h"
 
@@ -62,7 +61,7 @@ Forest find_links(const Document& document, Complaints& complaints)
     Forest forest{std::vector<int>(nodes.size(), no_parent), std::vector<std::vector<int>>(nodes.size())};
     for (std::size_t node = 0; node < nodes.size(); ++node) {
         for (const int child : nodes[node].children) {
-            if (child == unreadable_index)
+            if (child == gltf::unreadable_index)
                 continue;
             if (child < 0 || at(child) >= nodes.size()) {
                 complaints.lose("left out", "node ", node, ": child ", child, " does not exist");
@@ -102,7 +101,7 @@ struct LocalTransform {
 LocalTransform local_transform(const Document& document, std::size_t index, const NodePose& pose,
                                Complaints& complaints)
 {
-    const tinygltf::Node& node = document.model.nodes[index];
+    const gltf::Node& node = document.model.nodes[index];
     LocalTransform local;
     if (!node.matrix.empty()) {
         local.matrix = matrix_transform(document, index, complaints);
@@ -110,12 +109,12 @@ LocalTransform local_transform(const Document& document, std::size_t index, cons
     }
     if (pose.translation)
         local.matrix[3] = glm::dvec4(*pose.translation, 1.0);
-    else if (!node.translation.empty())
-        local.matrix[3] = {node.translation[0], node.translation[1], node.translation[2], 1.0};
+    else if (const auto& translation = node.translation)
+        local.matrix[3] = {(*translation)[0], (*translation)[1], (*translation)[2], 1.0};
     if (pose.rotation) {
         local.matrix *= glm::mat4_cast(*pose.rotation);
-    } else if (!node.rotation.empty()) {
-        const glm::dquat quaternion(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
+    } else if (const auto& rotation = node.rotation) {
+        const glm::dquat quaternion((*rotation)[3], (*rotation)[0], (*rotation)[1], (*rotation)[2]);
         const double length = glm::length(quaternion);
         if (length > 1e-30 && std::isfinite(length)) {
             local.rotation_was_unit = std::abs(length - 1.0) < 1e-2;
@@ -126,17 +125,9 @@ LocalTransform local_transform(const Document& document, std::size_t index, cons
     }
     if (pose.scale)
         local.matrix = glm::scale(local.matrix, *pose.scale);
-    else if (!node.scale.empty())
-        local.matrix = glm::scale(local.matrix, glm::dvec3(node.scale[0], node.scale[1], node.scale[2]));
+    else if (const auto& scale = node.scale)
+        local.matrix = glm::scale(local.matrix, glm::dvec3((*scale)[0], (*scale)[1], (*scale)[2]));
     return local;
-}
-
-// Cameras are there all the same. [KHR_node_visibility]
-bool hides(const tinygltf::Node& node)
-{
-    const auto extension = node.extensions.find("KHR_node_visibility");
-    return extension != node.extensions.end() && extension->second.Has("visible") &&
-           !extension->second.Get("visible").Get<bool>();
 }
 
 bool fits_floats(const glm::dmat4& matrix)
@@ -162,8 +153,8 @@ std::vector<int> scene_roots(const Document& document, const std::vector<int>& p
                              Complaints& complaints)
 {
     const auto& model = document.model;
-    int scene = std::max(model.defaultScene, 0);
-    if (at(scene) >= model.scenes.size() && model.defaultScene >= 0) {
+    int scene = std::max(model.scene, 0);
+    if (at(scene) >= model.scenes.size() && model.scene >= 0) {
         complaints.add("ignored", "scene ", scene, " does not exist");
         scene = 0;
     }
@@ -172,7 +163,7 @@ std::vector<int> scene_roots(const Document& document, const std::vector<int>& p
     std::vector<bool> listed(parents.size(), false);
     std::vector<int> roots;
     for (const int root : model.scenes[at(scene)].nodes) {
-        if (root == unreadable_index)
+        if (root == gltf::unreadable_index)
             continue;
         if (root < 0 || at(root) >= parents.size()) {
             complaints.lose("left out", "scene ", scene, ": node ", root, " does not exist");
@@ -258,8 +249,9 @@ NodeTree build_node_tree(const Document& document, Pose pose, Warnings& warnings
         const int parent = parents[at(node)];
         glm::dmat4& world = tree.world[at(node)];
         world = parent == no_parent ? local.matrix : tree.world[at(parent)] * local.matrix;
+        // Cameras are there all the same. [KHR_node_visibility]
         tree.hidden[at(node)] =
-            hides(document.model.nodes[at(node)]) || (parent != no_parent && tree.hidden[at(parent)]);
+            !document.model.nodes[at(node)].visible || (parent != no_parent && tree.hidden[at(parent)]);
         if (fits_floats(world))
             continue;
         complaints.lose("left out", "node ", node, ": its transform in the world is not finite");

@@ -40,7 +40,7 @@ private:
 
     void add_node(int node)
     {
-        const tinygltf::Node& source = document_.model.nodes[at(node)];
+        const gltf::Node& source = document_.model.nodes[at(node)];
         if (at(source.mesh) >= document_.model.meshes.size()) {
             lose(text(document_.file, ": node ", node, ": mesh ", source.mesh, " does not exist"),
                  "left out");
@@ -89,9 +89,9 @@ private:
         return true;
     }
 
-    Range add_requests(const tinygltf::Node& node, const NodePose* morphing)
+    Range add_requests(const gltf::Node& node, const NodePose* morphing)
     {
-        const tinygltf::Mesh& mesh = document_.model.meshes[at(node.mesh)];
+        const gltf::Mesh& mesh = document_.model.meshes[at(node.mesh)];
         PrimitiveRequest request;
         request.mesh = node.mesh;
         request.weights = morphing ? morphing->weights : node.weights.empty() ? mesh.weights : node.weights;
@@ -100,7 +100,7 @@ private:
         const std::size_t begin = plan_.requests.size();
         for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
             request.primitive = static_cast<int>(i);
-            if (is_broken(mesh.primitives[i].extensions) || !draws(request))
+            if (mesh.primitives[i].is_broken || !draws(request))
                 continue;
             const std::size_t weights = request.weights.size();
             plan_.odd_weights += weights != 0 && weights != mesh.primitives[i].targets.size() ? 1 : 0;

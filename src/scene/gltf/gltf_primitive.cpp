@@ -21,7 +21,7 @@
 namespace lambent::scene {
 namespace {
 
-const tinygltf::Primitive& find_primitive(const Document& document, int mesh, int primitive)
+const gltf::Primitive& find_primitive(const Document& document, int mesh, int primitive)
 {
     return document.model.meshes[at(mesh)].primitives[at(primitive)];
 }
@@ -47,7 +47,7 @@ Corners corner_list(const Document& document, const PrimitivePart& part, std::si
         return corners;
     }
     corners.list = read_indices(document, {part.primitive.indices, part.name + ", indices", false, {}});
-    corners.restart = restart_index(document.model.accessors[at(part.primitive.indices)].componentType);
+    corners.restart = restart_index(document.model.accessors[at(part.primitive.indices)].component_type);
     std::uint32_t largest = 0;
     for (const std::uint32_t corner : corners.list)
         largest = std::max(largest, corner == corners.restart ? 0 : corner);
@@ -150,15 +150,15 @@ PrimitiveNotes& PrimitiveNotes::operator+=(const PrimitiveNotes& other)
 
 bool is_drawable(const Document& document, int mesh, int primitive)
 {
-    const tinygltf::Primitive& source = find_primitive(document, mesh, primitive);
-    if (source.mode < TINYGLTF_MODE_POINTS || source.mode > TINYGLTF_MODE_TRIANGLE_FAN)
+    const gltf::Primitive& source = find_primitive(document, mesh, primitive);
+    if (source.mode < gltf::Mode::points || source.mode > gltf::Mode::triangle_fan)
         document.fail(primitive_name(mesh, primitive), ": mode ", source.mode, " is not one of glTF");
     return source.attributes.contains("POSITION");
 }
 
 std::uint64_t check_request(const Document& document, const PrimitiveRequest& request)
 {
-    const tinygltf::Primitive& primitive = find_primitive(document, request.mesh, request.primitive);
+    const gltf::Primitive& primitive = find_primitive(document, request.mesh, request.primitive);
     const std::string name = primitive_name(request.mesh, request.primitive);
     std::uint64_t sparse = 0;
     const auto check = [&](int accessor, const std::string& what) {
@@ -176,9 +176,8 @@ std::uint64_t check_request(const Document& document, const PrimitiveRequest& re
     };
     const int position = primitive.attributes.at("POSITION");
     accessor_count(document, {position, name + ", POSITION", false, {}});
-    const tinygltf::Accessor& positions = document.model.accessors[at(position)];
-    if (positions.bufferView < 0 && !positions.sparse.isSparse &&
-        primitive.extensions.contains("KHR_draco_mesh_compression"))
+    const gltf::Accessor& positions = document.model.accessors[at(position)];
+    if (positions.buffer_view < 0 && !positions.sparse && primitive.has_draco)
         document.fail(name, ": its geometry is only there as KHR_draco_mesh_compression, which is not read");
     std::uint64_t visits = check(position, "POSITION");
     if (primitive.indices >= 0)
@@ -202,7 +201,7 @@ namespace {
 
 void read(const Document& document, const PrimitiveRequest& request, Losses& losses, PrimitiveResult& result)
 {
-    const tinygltf::Primitive& primitive = find_primitive(document, request.mesh, request.primitive);
+    const gltf::Primitive& primitive = find_primitive(document, request.mesh, request.primitive);
     PrimitivePart part{primitive, primitive_name(request.mesh, request.primitive), {}};
     const std::size_t vertices = accessor_count(document, *find_attribute(part, "POSITION"));
 

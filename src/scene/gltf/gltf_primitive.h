@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scene/gltf_document/gltf_document.h"
+#include "scene/scene.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>

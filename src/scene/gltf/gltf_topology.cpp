@@ -1,6 +1,6 @@
 #include "scene/gltf/gltf_topology.h"
 
-#include "scene/gltf_document/tinygltf_header.h"
+#include "scene/gltf_document/gltf_model.h"
 
 #include <algorithm>
 #include <cstring>
@@ -36,11 +36,11 @@ void add_lines(CornerList corners, int mode, std::vector<glm::uvec2>& lines)
         if (from != to)
             lines.emplace_back(from, to);
     };
-    const std::size_t step = mode == TINYGLTF_MODE_LINE ? 2 : 1;
+    const std::size_t step = mode == gltf::Mode::lines ? 2 : 1;
     for (std::size_t i = 0; i + 1 < corners.size(); i += step)
         add(corners[i], corners[i + 1]);
     // Of two corners the way back is the way there.
-    if (mode == TINYGLTF_MODE_LINE_LOOP && corners.size() > 2)
+    if (mode == gltf::Mode::line_loop && corners.size() > 2)
         add(corners.back(), corners.front());
 }
 
@@ -48,21 +48,21 @@ void add_lines(CornerList corners, int mode, std::vector<glm::uvec2>& lines)
 std::size_t connect_run(CornerList corners, int mode, Mesh& mesh)
 {
     switch (mode) {
-    case TINYGLTF_MODE_POINTS:
+    case gltf::Mode::points:
         mesh.points.insert(mesh.points.end(), corners.begin(), corners.end());
         return 0;
-    case TINYGLTF_MODE_LINE:
+    case gltf::Mode::lines:
         add_lines(corners, mode, mesh.lines);
         return corners.size() % 2;
-    case TINYGLTF_MODE_LINE_LOOP:
-    case TINYGLTF_MODE_LINE_STRIP:
+    case gltf::Mode::line_loop:
+    case gltf::Mode::line_strip:
         add_lines(corners, mode, mesh.lines);
         return corners.size() < 2 ? corners.size() : 0;
-    case TINYGLTF_MODE_TRIANGLES:
+    case gltf::Mode::triangles:
         add_separate_triangles(corners, mesh.triangles);
         return corners.size() % 3;
     default:
-        add_joined_triangles(corners, mode == TINYGLTF_MODE_TRIANGLE_STRIP, mesh.triangles);
+        add_joined_triangles(corners, mode == gltf::Mode::triangle_strip, mesh.triangles);
         return corners.size() < 3 ? corners.size() : 0;
     }
 }
@@ -84,9 +84,9 @@ void for_each_corner(Mesh& mesh, Action action)
 
 std::uint32_t restart_index(int component_type)
 {
-    if (component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE)
+    if (component_type == gltf::Component::u8)
         return std::numeric_limits<std::uint8_t>::max();
-    if (component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT)
+    if (component_type == gltf::Component::u16)
         return std::numeric_limits<std::uint16_t>::max();
     return std::numeric_limits<std::uint32_t>::max();
 }

@@ -4,7 +4,8 @@
 #include "scene/gltf_document/gltf_container.h"
 #include "scene/gltf_document/gltf_json.h"
 #include "scene/gltf_document/gltf_losses.h"
-#include "scene/gltf_document/gltf_parts.h"
+#include "scene/gltf_document/gltf_reader.h"
+#include "scene/gltf_document/gltf_schema.h"
 
 #include <nlohmann/json.hpp>
 
@@ -23,6 +24,11 @@ constexpr std::array<std::string_view, 7> supported = {
 
 // No outside file of a scene is larger than this.
 constexpr std::uint64_t largest_file = std::uint64_t{1} << 33;
+
+// What the structs of a document may take: so much, and for each byte of its text more than any takes that says anything
+// (a node of {"mesh":0} is 30 times as large as its text; one of {} 100 times).
+constexpr std::uint64_t free_bytes = std::uint64_t{1} << 28;
+constexpr std::uint64_t bytes_per_character = 32;
 
 // The names in an array of the document that are not supported, joined with commas.
 std::string unsupported(const json& document, const char* array)
@@ -82,34 +88,21 @@ void check_version(const json& document, const std::string& file)
         refuse(file, ": needs glTF ", word("minVersion"), ", only 2.0 is read");
 }
 
-// tinygltf wants members that glTF does not, or not of lights without a cone; -1 is its way to say "none".
-void fill_in_for_tinygltf(json& document)
-{
-    if (document.contains("skins"))
-        for (json& skin : document.at("skins"))
-            skin.emplace("inverseBindMatrices", -1);
-    const json::json_pointer lights("/extensions/KHR_lights_punctual/lights");
-    if (document.contains(lights))
-        for (json& light : document.at(lights))
-            light.emplace("spot", json::object());
-}
-
 // One buffer's bytes: of a data URI, of a file, or of the BIN chunk (the first buffer, without uri).
-BufferBytes open_buffer(const json& buffer, std::span<const std::uint8_t> binary, Document& document,
+BufferBytes open_buffer(const gltf::Buffer& buffer, std::span<const std::uint8_t> binary, Document& document,
                         Losses& losses)
 {
     const std::size_t index = document.buffers.size();
     const std::string where = text(document.file, ": buffer ", index);
     std::span<const std::uint8_t> bytes = binary;
-    if (buffer.contains("uri")) {
-        const auto& uri = buffer.at("uri").get_ref<const std::string&>();
-        document.storage.push_back(is_data_uri(uri) ? decode_data_uri(uri, where)
-                                                    : read_beside(document.base, uri, where));
+    if (buffer.uri) {
+        document.storage.push_back(is_data_uri(*buffer.uri) ? decode_data_uri(*buffer.uri, where)
+                                                            : read_beside(document.base, *buffer.uri, where));
         bytes = document.storage.back();
     } else if (index != 0 || binary.data() == nullptr) {
         return {};
     }
-    const auto length = buffer.at("byteLength").get<std::uint64_t>();
+    const std::uint64_t length = buffer.byte_length;
     if (length > bytes.size()) {
         const std::string fault = text(where, ": ", length, " bytes declared, ", bytes.size(), " are there");
         losses.add(fault, "used as far as they go");
@@ -119,10 +112,9 @@ BufferBytes open_buffer(const json& buffer, std::span<const std::uint8_t> binary
     return {bytes.first(std::min<std::uint64_t>(length, bytes.size())), true};
 }
 
-void open_buffers(const json& buffers, std::span<const std::uint8_t> binary, Document& document,
-                  Losses& losses)
+void open_buffers(std::span<const std::uint8_t> binary, Document& document, Losses& losses)
 {
-    for (const json& buffer : buffers) {
+    for (gltf::Buffer& buffer : document.model.buffers) {
         BufferBytes opened;
         try {
             opened = open_buffer(buffer, binary, document, losses);
@@ -132,6 +124,7 @@ void open_buffers(const json& buffers, std::span<const std::uint8_t> binary, Doc
                 document.first_loss = error.what();
         }
         document.buffers.push_back(opened);
+        buffer.uri.reset(); // it may hold as much as was read out of it
     }
 }
 
@@ -156,11 +149,6 @@ std::uint64_t Document::buffer_bytes() const
     return sum;
 }
 
-bool is_broken(const tinygltf::ExtensionMap& extensions)
-{
-    return extensions.contains(broken_mark);
-}
-
 std::vector<std::uint8_t> read_beside(const UriBase& base, const std::string& uri, const std::string& where)
 {
     const std::filesystem::path path = path_beside(base, uri, where);
@@ -174,11 +162,11 @@ std::vector<std::uint8_t> read_beside(const UriBase& base, const std::string& ur
 
 std::span<const std::uint8_t> view_bytes(const Document& document, int buffer_view, const std::string& what)
 {
-    const auto& views = document.model.bufferViews;
+    const auto& views = document.model.buffer_views;
     if (buffer_view < 0 || static_cast<std::size_t>(buffer_view) >= views.size())
         document.fail(what, ": bufferView ", buffer_view, " does not exist");
-    const tinygltf::BufferView& view = views[static_cast<std::size_t>(buffer_view)];
-    if (is_broken(view.extensions))
+    const gltf::BufferView& view = views[static_cast<std::size_t>(buffer_view)];
+    if (view.is_broken)
         throw told_already();
     if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= document.buffers.size())
         document.fail("bufferView ", buffer_view, ": buffer ", view.buffer, " does not exist");
@@ -186,16 +174,16 @@ std::span<const std::uint8_t> view_bytes(const Document& document, int buffer_vi
     if (!buffer.present)
         document.fail("bufferView ", buffer_view, ": buffer ", view.buffer, " has no bytes");
     const std::size_t size = buffer.bytes.size();
-    if (view.byteOffset > size || view.byteLength > size - view.byteOffset)
-        document.fail("bufferView ", buffer_view, ": ", view.byteLength, " bytes at ", view.byteOffset,
+    if (view.byte_offset > size || view.byte_length > size - view.byte_offset)
+        document.fail("bufferView ", buffer_view, ": ", view.byte_length, " bytes at ", view.byte_offset,
                       " do not fit in buffer ", view.buffer, " (", size, " bytes)");
-    return buffer.bytes.subspan(view.byteOffset, view.byteLength);
+    return buffer.bytes.subspan(view.byte_offset, view.byte_length);
 }
 
 Document open_document(const GltfSource& source, Warnings& warnings)
 {
     const Container container = open_container(source.bytes, source.file);
-    json parsed = parse_gltf_json(container.json, source.file);
+    json parsed = parse_json(container.json, document_shape(), source.file);
     check_version(parsed, source.file);
     check_extensions(parsed, source.file, warnings);
 
@@ -203,21 +191,13 @@ Document open_document(const GltfSource& source, Warnings& warnings)
     Losses losses(source.file, warnings);
     document.file = source.file;
     document.base = {source.folder, source.reach};
-    document.first_loss = check_schema(parsed, source.file, losses);
-    document.images = take_images(parsed);
-    document.animations = take_animations(parsed);
-    const json buffers = take(parsed, "buffers");
-    std::vector<tinygltf::Mesh> meshes = take_meshes(parsed);
-    const std::vector<std::size_t> strides = take_strides(parsed);
-    fill_in_for_tinygltf(parsed);
-    document.model = parse_model(parsed.dump(), source.file);
-    document.model.meshes = std::move(meshes);
-    for (std::size_t view = 0; view < document.model.bufferViews.size(); ++view)
-        document.model.bufferViews[view].byteStride = strides.at(view);
-    for (const json& buffer : buffers)
-        note_beside(buffer.value("uri", ""), document);
-    open_buffers(buffers, container.binary, document, losses);
-    for (const ImageSource& image : document.images)
+    const std::uint64_t most_bytes = free_bytes + bytes_per_character * container.json.size();
+    document.first_loss =
+        read_document(parsed, document_shape(), &document.model, {source.file, losses, most_bytes});
+    for (const gltf::Buffer& buffer : document.model.buffers)
+        note_beside(buffer.uri.value_or(""), document);
+    open_buffers(container.binary, document, losses);
+    for (const gltf::Image& image : document.model.images)
         note_beside(image.uri, document);
     return document;
 }

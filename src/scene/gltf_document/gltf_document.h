@@ -1,10 +1,10 @@
-// A glTF file taken apart but not yet interpreted: tinygltf's model, the buffers' bytes, the images' sources.
+// A glTF file taken apart but not yet interpreted: what its JSON says, and the buffers' bytes.
 #pragma once
 
 #include "scene/gltf_document/gltf_source.h"
 #include "scene/gltf_document/gltf_message.h"
+#include "scene/gltf_document/gltf_model.h"
 #include "scene/gltf_document/gltf_uri.h"
-#include "scene/gltf_document/tinygltf_header.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -20,39 +20,12 @@ struct BufferBytes {
     bool present = false; ///< false: neither a uri nor a BIN chunk (allowed while nothing uses it)
 };
 
-/// Where an image's PNG or JPEG bytes are: one of the two, or the image is left out.
-struct ImageSource {
-    std::string name;
-    std::string uri;
-    int buffer_view = -1;
-    bool is_broken = false; ///< neither, as was told
-};
-
-/// An animation as the file lists it. Everything is checked when it is read.
-struct AnimationSource {
-    struct Channel {
-        int sampler = 0;
-        int node = -1; ///< -1: none, an extension says what moves
-        std::string path;
-    };
-    struct Sampler {
-        int input = 0, output = 0; ///< accessors
-        std::string interpolation = "LINEAR";
-        bool is_broken = false; ///< as was told
-    };
-    std::string name;
-    std::vector<Channel> channels;
-    std::vector<Sampler> samplers;
-};
-
 struct Document {
     std::string file;
     UriBase base;
-    tinygltf::Model model; ///< without buffers, images and animations; every property checked by check_schema
-    std::string first_loss; ///< the first fault that may have cost something to draw; empty: none
-    std::vector<BufferBytes> buffers;
-    std::vector<ImageSource> images;
-    std::vector<AnimationSource> animations;
+    gltf::Model model;
+    std::string first_loss;           ///< the first fault that may have cost something to draw; empty: none
+    std::vector<BufferBytes> buffers; ///< of each buffer of the model
     std::vector<std::filesystem::path> beside;      ///< the files that it names, wanted or not; there or not
     std::vector<std::vector<std::uint8_t>> storage; ///< what `buffers` point into, unless it is the source
 
@@ -78,13 +51,7 @@ Document open_document(const GltfSource& source, Warnings& warnings);
 /// The bytes of a bufferView; `what` ("accessor 3") says in the error who asked. Throws Error(bad_input).
 std::span<const std::uint8_t> view_bytes(const Document& document, int buffer_view, const std::string& what);
 
-/// Whether an element stands for one that could not be read, as was told.
-bool is_broken(const tinygltf::ExtensionMap& extensions);
-
 /// The bytes of a file named by a uri beside the glTF; the error starts with `where`.
 std::vector<std::uint8_t> read_beside(const UriBase& base, const std::string& uri, const std::string& where);
-
-/// tinygltf's parse of JSON text that passed check_schema.
-tinygltf::Model parse_model(const std::string& json, const std::string& file);
 
 } // namespace lambent::scene

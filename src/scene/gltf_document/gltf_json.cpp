@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -12,44 +13,39 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int deepest = 64;
-constexpr std::size_t most_values = 4'000'000;
+// A list or an object of the document that is being filled.
+struct Level {
+    json* container = nullptr;
+    const Shape* shape = nullptr;   // of an object; null: any name is kept
+    const Property* list = nullptr; // of a list
+};
 
-// Both parsers that follow are safe at this depth; neither limits it by itself.
-void check_size(std::string_view text, const std::string& file)
+// What a list or object holds that is given where the property expects one; none: it does not fit there.
+std::optional<Level> level_of(const Property* property, bool in_list, bool is_object)
 {
-    int depth = 0;
-    std::size_t values = 0;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        switch (text[i]) {
-        case '"':
-            for (++i; i < text.size() && text[i] != '"'; ++i)
-                i += text[i] == '\\';
-            break;
-        case '{':
-        case '[':
-            if (++depth > deepest)
-                refuse(file, ": JSON: byte ", i, ": nested more than ", deepest, " deep");
-            [[fallthrough]];
-        case ',':
-            ++values;
-            break;
-        case '}':
-        case ']':
-            --depth;
-            break;
-        default:
-            break;
-        }
+    if (property == nullptr)
+        return std::nullopt;
+    const Kind kind = property->kind;
+    if (!is_object) {
+        const bool is_list = kind == Kind::words || kind == Kind::numbers || kind == Kind::indices ||
+                             kind == Kind::index_maps || kind == Kind::objects;
+        return is_list && !in_list ? std::optional(Level{nullptr, nullptr, property}) : std::nullopt;
     }
-    if (values > most_values)
-        refuse(file, ": JSON: more than ", most_values, " values");
+    if (kind == (in_list ? Kind::objects : Kind::object))
+        return Level{nullptr, property->shape, nullptr};
+    return kind == (in_list ? Kind::index_maps : Kind::index_map) ? std::optional(Level{}) : std::nullopt;
 }
 
-// Builds the document from the parser's events, without the members that are not read. (The library's own way
-// to leave members out, a callback, takes time quadratic in the length of an array of objects.)
+// Builds the document from the parser's events, without what is not kept. (The library's own way to leave members
+// out, a callback, takes time quadratic in the length of an array of objects.)
 class Builder : public nlohmann::json_sax<json> {
 public:
+    explicit Builder(const Shape& shape)
+    {
+        root_.kind = Kind::object;
+        root_.shape = &shape;
+    }
+
     json take() { return std::move(document_); }
     const std::string& failure() const { return failure_; }
 
@@ -68,17 +64,19 @@ public:
     bool parse_error(std::size_t, const std::string&, const json::exception& error) override;
 
 private:
-    bool add(json value);
+    template <class Value>
+    bool add(Value&& value);
+    json& insert(json value);
     bool open(json container);
     bool close();
 
     json document_;
-    std::vector<json*> open_;    // containers from the top level inwards
-    std::string key_;            // of the next value in an object
-    bool is_wanted_ = true;      // whether that value is read
-    std::size_t unwanted_ = 0;   // containers entered since one that is not read, itself included
-    std::string list_;           // at the top level, being read
-    std::size_t list_limit_ = 0; // and how many elements it may have
+    Property root_;                     // as if the document were a property of something
+    std::vector<Level> open_;           // from the top level inwards
+    std::string key_;                   // of the next value in an object
+    const Property* property_ = &root_; // that it is; null: none that has a name
+    bool is_wanted_ = true;             // whether it is kept
+    std::size_t unwanted_ = 0;          // containers entered since one that is not kept, itself included
     std::string failure_;
 };
 
@@ -86,50 +84,52 @@ bool Builder::key(string_t& name)
 {
     if (unwanted_ != 0)
         return true;
-    if (open_.size() == 1) {
-        const std::optional<std::size_t> limit = top_level_limit(name);
-        is_wanted_ = limit.has_value();
-        list_ = name;
-        list_limit_ = limit.value_or(0);
-    } else {
-        is_wanted_ = name != "extras";
-    }
+    const Shape* shape = open_.back().shape;
+    property_ = shape ? find_property(*shape, name) : nullptr;
+    is_wanted_ = shape == nullptr || property_ != nullptr;
     key_ = std::move(name);
     return true;
 }
 
-bool Builder::add(json value)
+json& Builder::insert(json value)
 {
-    if (unwanted_ != 0 || !std::exchange(is_wanted_, true))
-        return true;
-    if (open_.size() == 2 && open_.back()->is_array() && open_.back()->size() == list_limit_) {
-        failure_ = text("more than ", list_limit_, " ", list_);
-        return false;
-    }
     if (open_.empty())
-        document_ = std::move(value);
-    else if (open_.back()->is_array())
-        open_.back()->push_back(std::move(value));
-    else
-        (*open_.back())[key_] = std::move(value);
+        return document_ = std::move(value);
+    json& outer = *open_.back().container;
+    if (outer.is_array()) {
+        auto& list = outer.get_ref<json::array_t&>();
+        list.push_back(std::move(value));
+        return list.back();
+    }
+    // Of members of one name the last counts.
+    return outer.get_ref<json::object_t&>().insert_or_assign(std::move(key_), std::move(value)).first->second;
+}
+
+template <class Value>
+bool Builder::add(Value&& value)
+{
+    if (unwanted_ == 0 && std::exchange(is_wanted_, true))
+        insert(std::forward<Value>(value));
     return true;
 }
 
 bool Builder::open(json container)
 {
-    if (unwanted_ != 0 || !is_wanted_) {
-        is_wanted_ = true;
+    if (unwanted_ != 0 || !std::exchange(is_wanted_, true)) {
         ++unwanted_;
         return true;
     }
-    if (!add(std::move(container)))
-        return false;
-    if (open_.empty())
-        open_.push_back(&document_);
-    else if (open_.back()->is_array())
-        open_.push_back(&open_.back()->back());
-    else
-        open_.push_back(&(*open_.back())[key_]);
+    const Property* list = open_.empty() ? nullptr : open_.back().list;
+    std::optional<Level> level = level_of(list ? list : property_, list != nullptr, container.is_object());
+    if (level) {
+        level->container = &insert(std::move(container));
+        open_.push_back(*level);
+        return true;
+    }
+    // What a member is is worth telling; of a list's entries and an index map's there may be many.
+    const bool is_member = list == nullptr && property_ != nullptr;
+    insert(is_member ? std::move(container) : json());
+    ++unwanted_;
     return true;
 }
 
@@ -158,13 +158,12 @@ bool Builder::parse_error(std::size_t, const std::string&, const json::exception
 
 } // namespace
 
-json parse_gltf_json(std::string_view text, const std::string& file)
+json parse_json(std::string_view text, const Shape& shape, const std::string& file)
 {
-    check_size(text, file);
     // Some exporters fill the GLB chunk with zeros where spaces belong.
     while (text.ends_with('\0'))
         text.remove_suffix(1);
-    Builder builder;
+    Builder builder(shape);
     if (!json::sax_parse(text.begin(), text.end(), &builder))
         refuse(file, ": JSON: ", builder.failure());
     json document = builder.take();

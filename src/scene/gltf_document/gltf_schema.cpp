@@ -1,224 +1,199 @@
-// The part of the glTF 2.0 schema that the loader relies on, as tables. [glTF 2.0, 5]
-#include "scene/gltf_document/gltf_json.h"
+#include "scene/gltf_document/gltf_schema.h"
 
-#include "scene/gltf_document/gltf_checker.h"
+#include "scene/gltf_document/gltf_message.h"
+#include "scene/gltf_document/gltf_model.h"
 
-#include <nlohmann/json.hpp>
+#include <algorithm>
 
 namespace lambent::scene {
 namespace {
 
-using nlohmann::json;
-
-constexpr Property one(const char* name, Kind kind, Need need = Need::optional)
-{
-    return {name, kind, need};
-}
-
-constexpr Property vector(const char* name, std::size_t length)
-{
-    return {name, Kind::numbers, Need::optional, length};
-}
-
-constexpr Property nested(const char* name, const Shape& shape, Need need = Need::optional)
-{
-    return {name, Kind::object, need, 0, &shape};
-}
-
-// tinygltf spends up to two kilobytes on an object that is three bytes in the file: each list has a limit.
-constexpr Property list(const char* name, const Shape& shape, const char* element, std::size_t most)
-{
-    return {name, Kind::objects, Need::optional, 0, &shape, element, most};
-}
+using namespace gltf;
 
 constexpr Need required = Need::required;
-constexpr Shape nothing{};
 
-constexpr Property asset_properties[] = {one("version", Kind::word, required), one("minVersion", Kind::word)};
+constexpr Property asset_properties[] = {value<&Asset::version>("version", required),
+                                         value<&Asset::min_version>("minVersion")};
 constexpr Shape asset{asset_properties};
 
-constexpr Property scene_properties[] = {one("name", Kind::word), one("nodes", Kind::indices)};
+constexpr Property scene_properties[] = {unread("name", Kind::word), value<&gltf::Scene::nodes>("nodes")};
 constexpr Shape scene{scene_properties};
 
-constexpr Property node_light_properties[] = {one("light", Kind::index, required)};
+constexpr Property node_light_properties[] = {value<&Node::light>("light", required)};
 constexpr Shape node_light{node_light_properties};
-constexpr Property instancing_properties[] = {one("attributes", Kind::index_map)};
+constexpr Property instancing_properties[] = {value<&Node::instances>("attributes")};
 constexpr Shape instancing{instancing_properties};
-constexpr Property visibility_properties[] = {one("visible", Kind::flag)};
+constexpr Property visibility_properties[] = {value<&Node::visible>("visible")};
 constexpr Shape visibility{visibility_properties};
-constexpr Property node_extension_properties[] = {nested("KHR_lights_punctual", node_light),
-                                                  nested("EXT_mesh_gpu_instancing", instancing),
-                                                  nested("KHR_node_visibility", visibility)};
+constexpr Property node_extension_properties[] = {inside("KHR_lights_punctual", node_light),
+                                                  inside("EXT_mesh_gpu_instancing", instancing),
+                                                  inside("KHR_node_visibility", visibility)};
 constexpr Shape node_extensions{node_extension_properties};
-constexpr Property node_properties[] = {one("name", Kind::word),
-                                        one("children", Kind::indices),
-                                        one("camera", Kind::index),
-                                        one("mesh", Kind::index),
-                                        one("skin", Kind::index),
-                                        vector("matrix", 16),
-                                        vector("rotation", 4),
-                                        vector("scale", 3),
-                                        vector("translation", 3),
-                                        vector("weights", 0),
-                                        nested("extensions", node_extensions)};
+constexpr Property node_properties[] = {value<&Node::name>("name"),
+                                        value<&Node::children>("children"),
+                                        value<&Node::camera>("camera"),
+                                        value<&Node::mesh>("mesh"),
+                                        value<&Node::skin>("skin"),
+                                        value<&Node::matrix>("matrix", Need::optional, 16),
+                                        value<&Node::rotation>("rotation"),
+                                        value<&Node::scale>("scale"),
+                                        value<&Node::translation>("translation"),
+                                        value<&Node::weights>("weights"),
+                                        inside("extensions", node_extensions)};
 constexpr Shape node{node_properties};
 
-constexpr Property primitive_extension_properties[] = {nested("KHR_draco_mesh_compression", nothing)};
+constexpr Property primitive_extension_properties[] = {
+    presence<&Primitive::has_draco>("KHR_draco_mesh_compression")};
 constexpr Shape primitive_extensions{primitive_extension_properties};
-constexpr Property primitive_properties[] = {one("attributes", Kind::index_map, required),
-                                             one("indices", Kind::index),
-                                             one("material", Kind::index),
-                                             one("mode", Kind::index),
-                                             one("targets", Kind::index_maps),
-                                             nested("extensions", primitive_extensions)};
+constexpr Property primitive_properties[] = {value<&Primitive::attributes>("attributes", required),
+                                             value<&Primitive::indices>("indices"),
+                                             value<&Primitive::material>("material"),
+                                             value<&Primitive::mode>("mode"),
+                                             value<&Primitive::targets>("targets"),
+                                             inside("extensions", primitive_extensions)};
 constexpr Shape primitive{primitive_properties};
-constexpr Property mesh_properties[] = {one("name", Kind::word), vector("weights", 0),
-                                        list("primitives", primitive, "primitive", 1'000'000)};
+constexpr Property mesh_properties[] = {unread("name", Kind::word), value<&gltf::Mesh::weights>("weights"),
+                                        list<&gltf::Mesh::primitives>("primitives", primitive, "primitive")};
 constexpr Shape mesh{mesh_properties};
 
-constexpr Property sparse_indices_properties[] = {one("bufferView", Kind::index, required),
-                                                  one("byteOffset", Kind::index),
-                                                  one("componentType", Kind::index, required)};
+constexpr Property sparse_indices_properties[] = {
+    value<&SparseIndices::buffer_view>("bufferView", required),
+    value<&SparseIndices::byte_offset>("byteOffset"),
+    value<&SparseIndices::component_type>("componentType", required)};
 constexpr Shape sparse_indices_shape{sparse_indices_properties};
-constexpr Property sparse_values_properties[] = {one("bufferView", Kind::index, required),
-                                                 one("byteOffset", Kind::index)};
+constexpr Property sparse_values_properties[] = {value<&SparseValues::buffer_view>("bufferView", required),
+                                                 value<&SparseValues::byte_offset>("byteOffset")};
 constexpr Shape sparse_values_shape{sparse_values_properties};
-constexpr Property sparse_properties[] = {one("count", Kind::index, required),
-                                          nested("indices", sparse_indices_shape, required),
-                                          nested("values", sparse_values_shape, required)};
+constexpr Property sparse_properties[] = {value<&Sparse::count>("count", required),
+                                          nested<&Sparse::indices>("indices", sparse_indices_shape, required),
+                                          nested<&Sparse::values>("values", sparse_values_shape, required)};
 constexpr Shape sparse{sparse_properties};
-constexpr Property accessor_properties[] = {one("bufferView", Kind::index),
-                                            one("byteOffset", Kind::size),
-                                            one("componentType", Kind::index, required),
-                                            one("normalized", Kind::flag),
-                                            one("count", Kind::size, required),
-                                            one("type", Kind::word, required),
-                                            nested("sparse", sparse)};
-constexpr Shape accessor{accessor_properties};
+constexpr Property accessor_properties[] = {value<&Accessor::buffer_view>("bufferView"),
+                                            value<&Accessor::byte_offset>("byteOffset"),
+                                            value<&Accessor::component_type>("componentType", required),
+                                            value<&Accessor::normalized>("normalized"),
+                                            value<&Accessor::count>("count", required),
+                                            value<&Accessor::type>("type", required),
+                                            nested<&Accessor::sparse>("sparse", sparse)};
+
+std::string accessor_misfit(const void* object)
+{
+    constexpr std::array<std::string_view, 7> types = {"SCALAR", "VEC2", "VEC3", "VEC4",
+                                                       "MAT2",   "MAT3", "MAT4"};
+    constexpr std::array components = {Component::i8,  Component::u8,  Component::i16,
+                                       Component::u16, Component::u32, Component::f32};
+    const auto& accessor = *static_cast<const Accessor*>(object);
+    if (std::find(types.begin(), types.end(), accessor.type) == types.end())
+        return text("type \"", printable(accessor.type), "\" is not one of glTF");
+    if (std::find(components.begin(), components.end(), accessor.component_type) == components.end())
+        return text("componentType ", accessor.component_type, " is not one of glTF");
+    return {};
+}
+
+constexpr Shape accessor{accessor_properties, accessor_misfit};
 
 constexpr Property buffer_view_properties[] = {
-    one("buffer", Kind::index, required), one("byteOffset", Kind::size),
-    one("byteLength", Kind::size, required), one("byteStride", Kind::size)};
+    value<&BufferView::buffer>("buffer", required), value<&BufferView::byte_offset>("byteOffset"),
+    value<&BufferView::byte_length>("byteLength", required), value<&BufferView::byte_stride>("byteStride")};
 constexpr Shape buffer_view{buffer_view_properties};
-constexpr Property buffer_properties[] = {one("byteLength", Kind::size, required), one("uri", Kind::word)};
+constexpr Property buffer_properties[] = {value<&Buffer::byte_length>("byteLength", required),
+                                          value<&Buffer::uri>("uri")};
 constexpr Shape buffer{buffer_properties};
 
-constexpr Property image_properties[] = {one("uri", Kind::word), one("mimeType", Kind::word),
-                                         one("bufferView", Kind::index), one("name", Kind::word)};
+constexpr Property image_properties[] = {value<&gltf::Image::uri>("uri"), unread("mimeType", Kind::word),
+                                         value<&gltf::Image::buffer_view>("bufferView"),
+                                         value<&gltf::Image::name>("name")};
 constexpr Shape image{image_properties};
-constexpr Property texture_properties[] = {one("sampler", Kind::index), one("source", Kind::index)};
+constexpr Property texture_properties[] = {value<&Texture::sampler>("sampler"),
+                                           value<&Texture::source>("source")};
 constexpr Shape texture{texture_properties};
-constexpr Property sampler_properties[] = {one("magFilter", Kind::index), one("minFilter", Kind::index),
-                                           one("wrapS", Kind::index), one("wrapT", Kind::index)};
+constexpr Property sampler_properties[] = {
+    value<&gltf::Sampler::mag_filter>("magFilter"), value<&gltf::Sampler::min_filter>("minFilter"),
+    value<&gltf::Sampler::wrap_s>("wrapS"), value<&gltf::Sampler::wrap_t>("wrapT")};
 constexpr Shape sampler{sampler_properties};
 
-constexpr Property transform_properties[] = {vector("offset", 2), one("rotation", Kind::number),
-                                             vector("scale", 2), one("texCoord", Kind::index)};
-constexpr Shape transform{transform_properties};
-constexpr Property texture_extension_properties[] = {nested("KHR_texture_transform", transform)};
-constexpr Shape texture_extensions{texture_extension_properties};
-constexpr Property texture_info_properties[] = {
-    one("index", Kind::index, required), one("texCoord", Kind::index), one("scale", Kind::number),
-    one("strength", Kind::number), nested("extensions", texture_extensions)};
-constexpr Shape texture_info{texture_info_properties};
-constexpr Property metallic_roughness_properties[] = {
-    vector("baseColorFactor", 4), nested("baseColorTexture", texture_info),
-    one("metallicFactor", Kind::number), one("roughnessFactor", Kind::number),
-    nested("metallicRoughnessTexture", texture_info)};
-constexpr Shape metallic_roughness_shape{metallic_roughness_properties};
-constexpr Property strength_properties[] = {one("emissiveStrength", Kind::number)};
-constexpr Shape strength{strength_properties};
-constexpr Property material_extension_properties[] = {nested("KHR_materials_emissive_strength", strength),
-                                                      nested("KHR_materials_unlit", nothing)};
-constexpr Shape material_extensions{material_extension_properties};
-constexpr Property material_properties[] = {one("name", Kind::word),
-                                            nested("pbrMetallicRoughness", metallic_roughness_shape),
-                                            nested("normalTexture", texture_info),
-                                            nested("occlusionTexture", texture_info),
-                                            nested("emissiveTexture", texture_info),
-                                            vector("emissiveFactor", 3),
-                                            one("alphaMode", Kind::word),
-                                            one("alphaCutoff", Kind::number),
-                                            one("doubleSided", Kind::flag),
-                                            nested("extensions", material_extensions)};
-constexpr Shape material{material_properties};
-
-constexpr Property skin_properties[] = {one("inverseBindMatrices", Kind::index), one("skeleton", Kind::index),
-                                        one("joints", Kind::indices, required)};
+constexpr Property skin_properties[] = {value<&Skin::inverse_bind_matrices>("inverseBindMatrices"),
+                                        unread("skeleton", Kind::index),
+                                        value<&Skin::joints>("joints", required)};
 constexpr Shape skin{skin_properties};
 
-constexpr Property target_properties[] = {one("node", Kind::index), one("path", Kind::word, required)};
+constexpr Property target_properties[] = {value<&AnimationTarget::node>("node"),
+                                          value<&AnimationTarget::path>("path", required)};
 constexpr Shape target{target_properties};
-constexpr Property channel_properties[] = {one("sampler", Kind::index, required),
-                                           nested("target", target, required)};
+constexpr Property channel_properties[] = {value<&AnimationChannel::sampler>("sampler", required),
+                                           nested<&AnimationChannel::target>("target", target, required)};
 constexpr Shape channel{channel_properties};
-constexpr Property key_properties[] = {one("input", Kind::index, required), one("interpolation", Kind::word),
-                                       one("output", Kind::index, required)};
-constexpr Shape keys{key_properties};
-constexpr Property animation_properties[] = {one("name", Kind::word),
-                                             list("channels", channel, "channel", 1'000'000),
-                                             list("samplers", keys, "sampler", 1'000'000)};
+constexpr Property keys_properties[] = {value<&AnimationSampler::input>("input", required),
+                                        value<&AnimationSampler::interpolation>("interpolation"),
+                                        value<&AnimationSampler::output>("output", required)};
+constexpr Shape keys{keys_properties};
+constexpr Property animation_properties[] = {value<&gltf::Animation::name>("name"),
+                                             list<&gltf::Animation::channels>("channels", channel, "channel"),
+                                             list<&gltf::Animation::samplers>("samplers", keys, "sampler")};
 constexpr Shape animation{animation_properties};
 
-constexpr Property perspective_properties[] = {one("aspectRatio", Kind::number),
-                                               one("yfov", Kind::number, required), one("zfar", Kind::number),
-                                               one("znear", Kind::number, required)};
+constexpr Property perspective_properties[] = {
+    value<&Perspective::aspect_ratio>("aspectRatio"), value<&Perspective::yfov>("yfov", required),
+    value<&Perspective::zfar>("zfar"), value<&Perspective::znear>("znear", required)};
 constexpr Shape perspective{perspective_properties};
 constexpr Property orthographic_properties[] = {
-    one("xmag", Kind::number, required), one("ymag", Kind::number, required),
-    one("zfar", Kind::number, required), one("znear", Kind::number, required)};
+    value<&Orthographic::xmag>("xmag", required), value<&Orthographic::ymag>("ymag", required),
+    value<&Orthographic::zfar>("zfar", required), value<&Orthographic::znear>("znear", required)};
 constexpr Shape orthographic{orthographic_properties};
-constexpr Property camera_properties[] = {one("name", Kind::word), one("type", Kind::word, required),
-                                          nested("perspective", perspective),
-                                          nested("orthographic", orthographic)};
-constexpr Shape camera{camera_properties};
+constexpr Property camera_properties[] = {value<&gltf::Camera::name>("name"),
+                                          value<&gltf::Camera::type>("type", required),
+                                          nested<&gltf::Camera::perspective>("perspective", perspective),
+                                          nested<&gltf::Camera::orthographic>("orthographic", orthographic)};
 
-constexpr Property spot_properties[] = {one("innerConeAngle", Kind::number),
-                                        one("outerConeAngle", Kind::number)};
+std::string camera_misfit(const void* object)
+{
+    const auto& camera = *static_cast<const gltf::Camera*>(object);
+    if (camera.type != "perspective" && camera.type != "orthographic")
+        return text("type \"", printable(camera.type), "\" is not one of glTF");
+    const bool is_there = camera.type == "perspective" ? !!camera.perspective : !!camera.orthographic;
+    return is_there ? "" : text(camera.type, " is missing");
+}
+
+constexpr Shape camera{camera_properties, camera_misfit};
+
+constexpr Property spot_properties[] = {value<&Spot::inner_cone_angle>("innerConeAngle"),
+                                        value<&Spot::outer_cone_angle>("outerConeAngle")};
 constexpr Shape spot{spot_properties};
-constexpr Property light_properties[] = {one("name", Kind::word),    one("type", Kind::word, required),
-                                         vector("color", 3),         one("intensity", Kind::number),
-                                         one("range", Kind::number), nested("spot", spot)};
+constexpr Property light_properties[] = {
+    unread("name", Kind::word),          value<&gltf::Light::type>("type", required),
+    value<&gltf::Light::color>("color"), value<&gltf::Light::intensity>("intensity"),
+    value<&gltf::Light::range>("range"), nested<&gltf::Light::spot>("spot", spot)};
 constexpr Shape light{light_properties};
-constexpr Property lights_properties[] = {list("lights", light, "light", 20'000)};
+constexpr Property lights_properties[] = {list<&Model::lights>("lights", light, "light")};
 constexpr Shape lights{lights_properties};
-constexpr Property extension_properties[] = {nested("KHR_lights_punctual", lights)};
+constexpr Property extension_properties[] = {inside("KHR_lights_punctual", lights)};
 constexpr Shape extensions{extension_properties};
-
-constexpr Property root_properties[] = {nested("asset", asset, required),
-                                        one("scene", Kind::index),
-                                        list("scenes", scene, "scene", 20'000),
-                                        list("nodes", node, "node", 200'000),
-                                        list("meshes", mesh, "mesh", 200'000),
-                                        list("accessors", accessor, "accessor", 1'000'000),
-                                        list("bufferViews", buffer_view, "bufferView", 1'000'000),
-                                        list("buffers", buffer, "buffer", 200'000),
-                                        list("images", image, "image", 20'000),
-                                        list("textures", texture, "texture", 20'000),
-                                        list("samplers", sampler, "sampler", 20'000),
-                                        list("materials", material, "material", 20'000),
-                                        list("skins", skin, "skin", 20'000),
-                                        list("cameras", camera, "camera", 20'000),
-                                        list("animations", animation, "animation", 20'000),
-                                        nested("extensions", extensions),
-                                        one("extensionsUsed", Kind::words),
-                                        one("extensionsRequired", Kind::words)};
-constexpr Shape root{root_properties};
 
 } // namespace
 
-std::optional<std::size_t> top_level_limit(std::string_view name)
+const Shape& document_shape()
 {
-    constexpr std::size_t most_words = 10'000;
-    const Property* property = find_property(root, name);
-    if (property == nullptr)
-        return std::nullopt;
-    return property->kind == Kind::objects ? property->most : most_words;
-}
-
-std::string check_schema(json& document, const std::string& file, Losses& losses)
-{
-    return check_shape(document, root, {file, losses});
+    static const Property properties[] = {
+        nested<&Model::asset>("asset", asset, required),
+        value<&Model::scene>("scene"),
+        list<&Model::scenes>("scenes", scene, "scene"),
+        list<&Model::nodes>("nodes", node, "node"),
+        list<&Model::meshes>("meshes", mesh, "mesh"),
+        list<&Model::accessors>("accessors", accessor, "accessor"),
+        list<&Model::buffer_views>("bufferViews", buffer_view, "bufferView"),
+        list<&Model::buffers>("buffers", buffer, "buffer"),
+        list<&Model::images>("images", image, "image"),
+        list<&Model::textures>("textures", texture, "texture"),
+        list<&Model::samplers>("samplers", sampler, "sampler"),
+        list<&Model::materials>("materials", material_shape(), "material"),
+        list<&Model::skins>("skins", skin, "skin"),
+        list<&Model::cameras>("cameras", camera, "camera"),
+        list<&Model::animations>("animations", animation, "animation"),
+        inside("extensions", extensions),
+        value<&Model::extensions_used>("extensionsUsed"),
+        value<&Model::extensions_required>("extensionsRequired")};
+    static const Shape shape{properties};
+    return shape;
 }
 
 } // namespace lambent::scene
