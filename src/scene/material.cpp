@@ -37,9 +37,6 @@ constexpr Rows count_rows()
 }
 
 static_assert(count_rows().in_order, "numbers follow each other");
-static_assert(count_rows().numbers == parameter_numbers);
-static_assert(count_rows().textures == texture_count);
-static_assert(count_rows().layers == layer_lobes);
 
 } // namespace
 

@@ -128,11 +128,10 @@ DecodedImages read_images(const Document& document, std::span<const int> images,
 void renumber_images(std::span<const int> index, std::span<Material> materials)
 {
     for (Material& material : materials)
-        for (TextureUse* use :
-             {&material.base_color_texture, &material.metallic_roughness_texture, &material.normal_texture,
-              &material.occlusion_texture, &material.emissive_texture})
-            if (use->image >= 0)
-                use->image = index[static_cast<std::size_t>(use->image)];
+        for_each_texture(material, [&](int, TextureUse& use, TextureCodes) {
+            if (use.image >= 0)
+                use.image = index[static_cast<std::size_t>(use.image)];
+        });
 }
 
 } // namespace lambent::scene

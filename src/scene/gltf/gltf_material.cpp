@@ -2,6 +2,7 @@
 
 #include "scene/gltf/gltf_sampler.h"
 #include "scene/gltf_document/gltf_losses.h"
+#include "scene/gltf_document/gltf_material_path.h"
 #include "scene/index.h"
 
 #include <glm/matrix.hpp>
@@ -11,6 +12,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -27,12 +29,6 @@ struct Factor {
 
 constexpr double huge = 1e30; // leaves room for what is multiplied onto it
 constexpr double any = std::numeric_limits<float>::max();
-constexpr Factor base_color{"pbrMetallicRoughness/baseColorFactor", 1.0, 0.0, 1.0};
-constexpr Factor metallic{"pbrMetallicRoughness/metallicFactor", 1.0, 0.0, 1.0};
-constexpr Factor roughness{"pbrMetallicRoughness/roughnessFactor", 1.0, 0.0, 1.0};
-constexpr Factor normal_scale{"normalTexture/scale", 1.0, -any, any};
-constexpr Factor occlusion_strength{"occlusionTexture/strength", 1.0, 0.0, 1.0, "occlusion strength"};
-constexpr Factor emissive{"emissiveFactor", 0.0, 0.0, 1.0};
 constexpr Factor emissive_strength{"extensions/KHR_materials_emissive_strength/emissiveStrength", 1.0, 0.0,
                                    huge};
 constexpr Factor alpha_cutoff{"alphaCutoff", 0.5, 0.0, huge};
@@ -64,11 +60,12 @@ public:
     const std::vector<int>& images() const { return images_; }
 
 private:
-    void read_metallic_roughness(const gltf::Material& source, Material& material);
-    void read_emission(const gltf::Material& source, Material& material);
+    void read_parameters(const gltf::Material& source, Material& material);
+    void read_textures(const gltf::Material& source, Material& material);
     void read_alpha(const gltf::Material& source, Material& material);
 
     float read_factor(const gltf::Material& source, const Factor& factor, std::size_t component = 0);
+    void read_numbers(const gltf::Material& source, const Factor& factor, std::span<float> to);
     TextureUse read_texture(const gltf::Material& source, std::string_view path);
     TextureUse find_texture(const gltf::TextureInfo& info, std::string_view slot);
     Sampler read_sampler(int index);
@@ -164,24 +161,53 @@ TextureUse MaterialReader::find_texture(const gltf::TextureInfo& info, std::stri
     return use;
 }
 
-void MaterialReader::read_metallic_roughness(const gltf::Material& source, Material& material)
+// By the rows of shading/material/parameters.h, whose factors are all from 0 to 1.
+void MaterialReader::read_parameters(const gltf::Material& source, Material& material)
 {
-    for (int channel = 0; channel < 4; ++channel)
-        material.base_color[channel] = read_factor(source, base_color, at(channel));
-    material.metallic = read_factor(source, metallic);
-    material.perceptual_roughness = read_factor(source, roughness);
-    material.base_color_texture = read_texture(source, "pbrMetallicRoughness/baseColorTexture");
-    material.metallic_roughness_texture =
-        read_texture(source, "pbrMetallicRoughness/metallicRoughnessTexture");
-}
-
-void MaterialReader::read_emission(const gltf::Material& source, Material& material)
-{
+#define READ(target, object, key, value, words)                                                              \
+    {                                                                                                        \
+        static constexpr MaterialPath path(#object, #key);                                                   \
+        read_numbers(source, {path.view(), value, 0.0, 1.0, words}, target);                                 \
+    }
+#define COLOR_AND_ALPHA(name, alpha, number, value, object, key, texture)                                    \
+    READ((std::span<float, 4>(&material.name.x, 4)), object, key, value, "")
+#define COLOR(name, number, value, object, key, texture)                                                     \
+    READ((std::span<float, 3>(&material.name.x, 3)), object, key, value, "")
+#define SCALAR(name, number, value, object, key, texture, channel)                                           \
+    READ((std::span<float, 1>(&material.name, 1)), object, key, value, "")
+#define ROUGHNESS(name, factor, number, value, object, key, texture, channel)                                \
+    READ((std::span<float, 1>(&material.factor, 1)), object, key, value, "")
+#define STRENGTH(name, factor, number, value, object, key, texture, channel)                                 \
+    READ((std::span<float, 1>(&material.factor, 1)), object, key, value, #name " strength")
+#include "shading/material/parameters.h"
+#undef READ
     const double strength = read_factor(source, emissive_strength);
     for (int channel = 0; channel < 3; ++channel)
         material.emissive[channel] =
-            static_cast<float>(strength * read_factor(source, emissive, at(channel)));
-    material.emissive_texture = read_texture(source, "emissiveTexture");
+            static_cast<float>(strength * static_cast<double>(material.emissive[channel]));
+}
+
+void MaterialReader::read_numbers(const gltf::Material& source, const Factor& factor, std::span<float> to)
+{
+    for (std::size_t i = 0; i < to.size(); ++i)
+        to[i] = read_factor(source, factor, i);
+}
+
+// By those of shading/material/textures.h.
+void MaterialReader::read_textures(const gltf::Material& source, Material& material)
+{
+#define TEXTURE(name, number, transfer, object, key)                                                         \
+    {                                                                                                        \
+        static constexpr MaterialPath path(#object, #key);                                                   \
+        material.name##_texture = read_texture(source, path.view());                                         \
+    }
+#define NORMAL_TEXTURE(name, number, object, key)                                                            \
+    TEXTURE(name, number, linear, object, key)                                                               \
+    {                                                                                                        \
+        static constexpr MaterialPath path(#object, #key "/scale");                                          \
+        material.name##_scale = read_factor(source, {path.view(), 1.0, -any, any});                          \
+    }
+#include "shading/material/textures.h"
 }
 
 void MaterialReader::read_alpha(const gltf::Material& source, Material& material)
@@ -205,12 +231,8 @@ Material MaterialReader::read(int index)
     name_ = text("material ", index);
     const gltf::Material& source = document_.model.materials[at(index)];
     material.name = source.name;
-    read_metallic_roughness(source, material);
-    material.normal_texture = read_texture(source, "normalTexture");
-    material.normal_scale = read_factor(source, normal_scale);
-    material.occlusion_texture = read_texture(source, "occlusionTexture");
-    material.occlusion_strength = read_factor(source, occlusion_strength);
-    read_emission(source, material);
+    read_parameters(source, material);
+    read_textures(source, material);
     read_alpha(source, material);
     material.double_sided = source.double_sided;
     material.unlit = source.unlit;
@@ -267,15 +289,20 @@ MaterialTable read_materials(const Document& document, std::span<const int> used
 TextureNeeds texture_needs(const Material& material)
 {
     TextureNeeds needs;
-    for (const TextureUse* use :
-         {&material.base_color_texture, &material.metallic_roughness_texture, &material.normal_texture,
-          &material.occlusion_texture, &material.emissive_texture})
-        if (use->image >= 0)
-            needs.texcoords.insert(use->texcoord);
-    if (material.normal_texture.image >= 0) {
-        needs.normal_map_set = material.normal_texture.texcoord;
-        needs.normal_map_transform = material.normal_texture.transform;
-    }
+    for_each_texture(material, [&](int, const TextureUse& use, TextureCodes) {
+        if (use.image >= 0)
+            needs.texcoords.insert(use.texcoord);
+    });
+    // Tangents are the mesh's: of several maps the first decides which way they go.
+    const auto need_tangents = [&](const TextureUse& use) {
+        if (use.image < 0 || needs.normal_map_set >= 0)
+            return;
+        needs.normal_map_set = use.texcoord;
+        needs.normal_map_transform = use.transform;
+    };
+#define TEXTURE(name, number, transfer, object, key)
+#define NORMAL_TEXTURE(name, number, object, key) need_tangents(material.name##_texture);
+#include "shading/material/textures.h"
     return needs;
 }
 

@@ -1,6 +1,7 @@
 #include "scene/gltf_document/gltf_document.h"
 
 #include "base/file.h"
+#include "scene/gltf_document/gltf_material_path.h"
 #include "scene/gltf_document/gltf_container.h"
 #include "scene/gltf_document/gltf_json.h"
 #include "scene/gltf_document/gltf_losses.h"
@@ -17,10 +18,25 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array<std::string_view, 7> supported = {
-    "KHR_lights_punctual", "KHR_texture_transform", "KHR_materials_emissive_strength",
-    "KHR_materials_unlit", "KHR_mesh_quantization", "EXT_mesh_gpu_instancing",
-    "KHR_node_visibility"};
+// Those of a material's parameters and textures are those of their lists.
+bool is_supported(std::string_view extension)
+{
+    constexpr std::string_view others[] = {
+        "KHR_lights_punctual", "KHR_texture_transform", "KHR_materials_emissive_strength",
+        "KHR_materials_unlit", "KHR_mesh_quantization", "EXT_mesh_gpu_instancing",
+        "KHR_node_visibility"};
+#define ROW(object)                                                                                          \
+    if (extension == #object)                                                                                \
+        return is_extension(extension);
+#define COLOR_AND_ALPHA(name, alpha, number, value, object, key, texture) ROW(object)
+#define COLOR(name, number, value, object, key, texture) ROW(object)
+#define SCALAR(name, number, value, object, key, texture, channel) ROW(object)
+#define ROUGHNESS(name, factor, number, value, object, key, texture, channel) ROW(object)
+#define STRENGTH(name, factor, number, value, object, key, texture, channel) ROW(object)
+#include "shading/material/parameters.h"
+#undef ROW
+    return std::find(std::begin(others), std::end(others), extension) != std::end(others);
+}
 
 // No outside file of a scene is larger than this.
 constexpr std::uint64_t largest_file = std::uint64_t{1} << 33;
@@ -41,7 +57,7 @@ std::string unsupported(const json& document, const char* array)
         if (!entry.is_string())
             continue;
         const auto& name = entry.get_ref<const std::string&>();
-        if (std::find(supported.begin(), supported.end(), name) == supported.end())
+        if (!is_supported(name))
             names += (names.empty() ? "" : ", ") + printable(name);
     }
     return printable(names);

@@ -1,10 +1,12 @@
-// What is read of a material. A factor or texture more is a line more here.
+// What is read of a material: the rows of shading/material/, and what is none of these.
 #include "scene/gltf_document/gltf_schema.h"
 
+#include "scene/gltf_document/gltf_material_path.h"
 #include "scene/gltf_document/gltf_model.h"
 
 #include <algorithm>
 #include <deque>
+#include <vector>
 
 namespace lambent::scene {
 namespace {
@@ -15,22 +17,37 @@ struct FactorRow {
     std::size_t components;
 };
 
-constexpr FactorRow factor_rows[] = {
-    {"alphaCutoff", 1},
-    {"emissiveFactor", 3},
-    {"extensions/KHR_materials_emissive_strength/emissiveStrength", 1},
-    {"pbrMetallicRoughness/baseColorFactor", 4},
-    {"pbrMetallicRoughness/metallicFactor", 1},
-    {"pbrMetallicRoughness/roughnessFactor", 1},
-};
+std::vector<FactorRow> factor_rows()
+{
+    std::vector<FactorRow> rows = {{"alphaCutoff", 1},
+                                   {"extensions/KHR_materials_emissive_strength/emissiveStrength", 1}};
+#define FACTOR(object, key, components)                                                                      \
+    {                                                                                                        \
+        static constexpr MaterialPath path(#object, #key);                                                   \
+        rows.push_back({path.view(), components});                                                           \
+    }
+#define COLOR_AND_ALPHA(name, alpha, number, value, object, key, texture) FACTOR(object, key, 4)
+#define COLOR(name, number, value, object, key, texture) FACTOR(object, key, 3)
+#define SCALAR(name, number, value, object, key, texture, channel) FACTOR(object, key, 1)
+#define ROUGHNESS(name, factor, number, value, object, key, texture, channel) FACTOR(object, key, 1)
+#define STRENGTH(name, factor, number, value, object, key, texture, channel) // its texture's
+#include "shading/material/parameters.h"
+#undef FACTOR
+    return rows;
+}
 
-constexpr std::string_view texture_paths[] = {
-    "emissiveTexture",
-    "normalTexture",
-    "occlusionTexture",
-    "pbrMetallicRoughness/baseColorTexture",
-    "pbrMetallicRoughness/metallicRoughnessTexture",
-};
+std::vector<std::string_view> texture_paths()
+{
+    std::vector<std::string_view> paths;
+#define TEXTURE(name, number, transfer, object, key)                                                         \
+    {                                                                                                        \
+        static constexpr MaterialPath path(#object, #key);                                                   \
+        paths.push_back(path.view());                                                                        \
+    }
+#define NORMAL_TEXTURE(name, number, object, key) TEXTURE(name, number, linear, object, key)
+#include "shading/material/textures.h"
+    return paths;
+}
 
 constexpr Property transform_properties[] = {
     value<&gltf::TextureTransform::offset>("offset"), value<&gltf::TextureTransform::rotation>("rotation"),
@@ -124,9 +141,9 @@ const Shape& material_shape()
         paths.add("alphaMode", value<&gltf::Material::alpha_mode>(""));
         paths.add("doubleSided", value<&gltf::Material::double_sided>(""));
         paths.add("extensions/KHR_materials_unlit", presence<&gltf::Material::unlit>(""));
-        for (const FactorRow& row : factor_rows)
+        for (const FactorRow& row : factor_rows())
             paths.add(row.path, factor(row));
-        for (const std::string_view path : texture_paths)
+        for (const std::string_view path : texture_paths())
             paths.add(path, texture_use(path));
         return paths.shape("");
     }();
