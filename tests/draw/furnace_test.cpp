@@ -95,6 +95,40 @@ TEST(Furnace, EverySphereIsOneAtEveryRoughnessAndMetalness)
     }
 }
 
+// What a coat does not send back itself reaches the white metal below it, and comes out again.
+TEST(Furnace, ACoatKeepsASphereOne)
+{
+    const environment::Environment white = testing::white_environment();
+    for (const float roughness : {0.0f, 0.3f, 1.0f})
+        for (const float coat : {0.5f, 1.0f}) {
+            scene::Scene scene = white_sphere(0.4f);
+            scene.materials[0].coat = coat;
+            scene.materials[0].coat_roughness = roughness;
+            const Extremes e = extremes(
+                testing::draw(scene, &white, testing::small_settings(64, 64, testing::front_camera(1.1f))));
+            EXPECT_GT(e.least, 0.995f) << "coat " << coat << ", roughness " << roughness;
+            EXPECT_LT(e.most, 1.005f) << "coat " << coat << ", roughness " << roughness;
+        }
+}
+
+// A black body in a coat of lacquer: its reflectance head on is that of an index of 1.5. [Fresnel]
+TEST(Furnace, ACoatOverBlackMirrorsAFewPercent)
+{
+    const environment::Environment white = testing::white_environment();
+    scene::Scene scene = white_sphere(0.0f);
+    scene::Material& m = scene.materials[0];
+    m.base_color = {0.0f, 0.0f, 0.0f, 1.0f};
+    const auto middle = [&](float coat) {
+        m.coat = coat;
+        const Frame frame =
+            testing::draw(scene, &white, testing::small_settings(64, 64, testing::front_camera(1.1f)));
+        return frame.radiance.pixel(32, 32)[1];
+    };
+    EXPECT_NEAR(middle(0.0f), 0.0f, 1e-3f);
+    EXPECT_NEAR(middle(1.0f), 0.04f, 1e-3f);
+    EXPECT_NEAR(middle(0.5f), 0.02f, 1e-3f);
+}
+
 TEST(Furnace, WithoutCompensationRoughMetalLosesWhatTheTableSays)
 {
     std::printf("roughness   compensated   single scattering\n");

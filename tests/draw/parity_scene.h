@@ -54,11 +54,8 @@ inline scene::Material painted_material(int i)
     using scene::Wrap;
     constexpr Wrap wraps[] = {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge};
     scene::Material m;
-    scene::TextureUse* const uses[] = {&m.base_color_texture, &m.metallic_roughness_texture,
-                                       &m.normal_texture, &m.occlusion_texture, &m.emissive_texture};
-    for (int slot = 0; slot < 5; ++slot) {
+    for_each_texture(m, [&](int slot, scene::TextureUse& use, scene::TextureCodes) {
         const int kind = i + slot;
-        scene::TextureUse& use = *uses[slot];
         use.image = slot;
         use.texcoord = kind % 2;
         use.sampler = {wraps[kind % 3], wraps[(kind / 2) % 3], kind % 4 == 1,
@@ -67,13 +64,16 @@ inline scene::Material painted_material(int i)
                     stretch = 0.8f + 0.5f * static_cast<float>(kind % 3);
         use.transform = glm::mat3(stretch * std::cos(turn), -stretch * std::sin(turn), 0.0f, std::sin(turn),
                                   std::cos(turn), 0.0f, -0.2f * static_cast<float>(kind), 0.1f, 1.0f);
-    }
+    });
     m.base_color = {0.9f, 0.8f, 0.7f, 0.8f};
     m.metallic = 0.6f;
     m.perceptual_roughness = 0.7f;
     m.emissive = {0.2f, 0.15f, 0.1f};
     m.normal_scale = 0.8f;
     m.occlusion_strength = 0.7f;
+    m.coat = i % 3 == 1 ? 0.9f : 0.0f;
+    m.coat_roughness = 0.3f;
+    m.coat_normal_scale = 0.6f;
     m.alpha_mode = static_cast<scene::AlphaMode>(i % 3);
     // Nothing is seen through holes of balls whose insides show: rounding may decide for either side of the edge of a hole.
     m.alpha_cutoff = i % 2 == 1 ? 0.05f : 0.55f;
@@ -85,8 +85,14 @@ inline scene::Material painted_material(int i)
 inline scene::Scene parity_scene()
 {
     scene::Scene scene;
-    scene.images = {soft_pattern(13, 8, 1, 190, 16), soft_pattern(16, 16, 2, 190, 8), bumps(24),
-                    soft_pattern(9, 9, 4, 190, 8), soft_pattern(32, 5, 5, 190, 8)};
+    scene.images = {soft_pattern(13, 8, 1, 190, 16),
+                    soft_pattern(16, 16, 2, 190, 8),
+                    bumps(24),
+                    soft_pattern(9, 9, 4, 190, 8),
+                    soft_pattern(32, 5, 5, 190, 8),
+                    soft_pattern(8, 12, 6, 60, 8),
+                    soft_pattern(7, 9, 7, 60, 8),
+                    bumps(17)};
     const scene::Mesh ball = painted_ball();
     for (int i = 0; i < 12; ++i) {
         const glm::vec3 place(0.75f * static_cast<float>(i % 4), 0.75f * static_cast<float>(i / 4),

@@ -41,6 +41,19 @@ TEST(ReferenceFurnace, AWhiteBodyDisappears)
             }
 }
 
+TEST(ReferenceFurnace, AWhiteBodyInACoatDisappears)
+{
+    for (const float roughness : {0.0f, 0.5f})
+        for (const float metalness : {0.0f, 1.0f}) {
+            scene::Scene scene =
+                scene_of(scene::make_sphere(1.0f, 256, 128), metallic(1.0f, metalness, 0.4f));
+            scene.materials[0].coat = 1.0f;
+            scene.materials[0].coat_roughness = roughness;
+            const image::RadianceImage light = white_panorama();
+            expect_light(trace(scene, &light, small_settings(16, 1.4f, 64)), glm::dvec3(1.0), table_error);
+        }
+}
+
 // Nothing that is always 1 would pass: a rough metal without compensation is dark.
 TEST(ReferenceFurnace, RoughMetalLosesLightWithoutCompensation)
 {

@@ -1,5 +1,6 @@
 // Materials at a point: densities by quadrature over the whole sphere, draws by chi-square, light by both.
 #include "reference/material.h"
+#include "tests/equations/reference_ggx.h"
 #include "tests/support/chi_square.h"
 
 #include <glm/geometric.hpp>
@@ -186,6 +187,141 @@ TEST(ReferenceMaterial, NothingIsReflectedFromBelow)
     for (const view::Model model : {view::Model::ggx, view::Model::phong})
         EXPECT_EQ(Reflection(s, model, true).value(glm::normalize(glm::dvec3(-0.8, 0.1, -0.01))),
                   glm::dvec3(0.0));
+}
+
+// A witness for every lobe over the base: BRDF times cosine of it alone, without what is scattered more than once, from another
+// form of its formulas. A lobe without one does not build.
+double witness_coat(double alpha, const Surface& s, const glm::dvec3& light)
+{
+    const glm::dvec3 N = s.layers.at(0).normal, H = glm::normalize(s.view + light);
+    const double NL = glm::dot(N, light), NV = glm::dot(N, s.view), NH = glm::dot(N, H);
+    const double schlick = 0.04 + 0.96 * std::pow(1.0 - glm::dot(s.view, H), 5.0);
+    const double G = 1.0 / (1.0 + test::smith_lambda(NL, alpha) + test::smith_lambda(NV, alpha));
+    return schlick * test::facet_density(NH, alpha) * G / (4.0 * NV);
+}
+
+struct ListedLobe {
+    const char* name;
+    int number;
+    double PointMaterial::*there;
+    double PointMaterial::*alpha;
+    double (*witness)(double alpha, const Surface& surface, const glm::dvec3& light);
+};
+
+constexpr ListedLobe listed_lobes[] = {
+#define LAYER(name, number, normal)                                                                          \
+    {#name, number, &PointMaterial::name, &PointMaterial::name##_alpha, witness_##name},
+#include "shading/lobes/layers.h"
+};
+
+// A coloured, half metallic base whose own normal is another than the lobe's.
+Surface surface_under(const ListedLobe& lobe, double alpha, double NV)
+{
+    Surface s = surface_seen_at(NV);
+    s.layers = {{lobe.number, s.normal}};
+    s.normal = glm::normalize(glm::dvec3(0.1, 0.2, 1.0));
+    s.material.base_color = {0.3, 0.6, 0.9};
+    s.material.metallic = 0.5;
+    s.material.alpha = 0.4;
+    s.material.*lobe.alpha = alpha;
+    s.material.*lobe.there = 1.0;
+    return s;
+}
+
+// What the lobe sends itself: all but what is seen of the base through it.
+glm::dvec3 own_value(const ListedLobe& lobe, const Surface& s, const glm::dvec3& light)
+{
+    Surface bare = s, shining = s;
+    bare.layers.clear();
+    bare.material.*lobe.there = 0.0;
+    shining.material.emissive = glm::dvec3(1.0);
+    return Reflection(s, view::Model::ggx, false).value(light) -
+           emitted_by(shining, false) * Reflection(bare, view::Model::ggx, false).value(light);
+}
+
+std::vector<glm::dvec3> directions_above(int count)
+{
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> uniform;
+    std::vector<glm::dvec3> directions;
+    for (int i = 0; i < count; ++i) {
+        const double z = 0.05 + 0.95 * uniform(random), turn = 2.0 * pi * uniform(random);
+        const double r = std::sqrt(1.0 - z * z);
+        directions.emplace_back(r * std::cos(turn), r * std::sin(turn), z);
+    }
+    return directions;
+}
+
+TEST(ReferenceLobes, AreDrawnByTheirDensity)
+{
+    for (const ListedLobe& lobe : listed_lobes)
+        for (const double alpha : {0.02, 0.3, 1.0})
+            for (const double there : {0.3, 1.0}) {
+                SCOPED_TRACE(::testing::Message() << lobe.name << " " << there << ", alpha " << alpha);
+                Surface s = surface_under(lobe, alpha, 0.6);
+                s.normal = s.layers[0].normal; // where check()'s grid is fine
+                s.material.*lobe.there = there;
+                check(s, view::Model::ggx);
+            }
+}
+
+TEST(ReferenceLobes, AreTheirWitness)
+{
+    for (const ListedLobe& lobe : listed_lobes)
+        for (const double alpha : {0.1, 0.4, 1.0})
+            for (const glm::dvec3& light : directions_above(50)) {
+                const Surface s = surface_under(lobe, alpha, 0.7);
+                const double expected = lobe.witness(alpha, s, light);
+                EXPECT_NEAR(own_value(lobe, s, light).y, expected, 1e-9 + 1e-6 * expected) << lobe.name;
+            }
+}
+
+TEST(ReferenceLobes, AreReciprocal)
+{
+    for (const ListedLobe& lobe : listed_lobes)
+        for (const glm::dvec3& light : directions_above(50)) {
+            const Surface there = surface_under(lobe, 0.3, 0.7);
+            Surface back = there;
+            back.view = light;
+            const double one = own_value(lobe, there, light).x / light.z;
+            const double other = own_value(lobe, back, there.view).x / there.view.z;
+            EXPECT_NEAR(one, other, 1e-9 + 1e-6 * std::fabs(one)) << lobe.name;
+        }
+}
+
+// White light that a lobe does not send back itself it leaves to what is below, which here is a white metal.
+TEST(ReferenceLobes, LoseNoLight)
+{
+    for (const ListedLobe& lobe : listed_lobes)
+        for (const double alpha : {0.05, 0.5, 1.0})
+            for (const double NV : {0.1, 0.5, 0.999}) {
+                Surface s = surface_under(lobe, alpha, NV);
+                s.normal = s.layers[0].normal;
+                s.material.base_color = glm::dvec3(1.0);
+                s.material.metallic = 1.0;
+                EXPECT_NEAR(check(s, view::Model::ggx), 1.0, 6e-3) << lobe.name << ", alpha " << alpha;
+            }
+}
+
+// What is left to those below is all but the lobe's own albedo, by quadrature of its witness.
+TEST(ReferenceLobes, LeaveWhatTheyDoNotSend)
+{
+    for (const ListedLobe& lobe : listed_lobes)
+        for (const double alpha : {0.2, 0.6, 1.0})
+            for (const double NV : {0.15, 0.5, 0.95}) {
+                Surface s = surface_under(lobe, alpha, NV);
+                s.material.emissive = glm::dvec3(1.0);
+                constexpr int steps = 400;
+                double albedo = 0.0;
+                for (int i = 0; i < steps; ++i)
+                    for (int k = 0; k < steps; ++k) {
+                        const double z = (i + 0.5) / steps, turn = 2.0 * pi * (k + 0.5) / steps;
+                        const double r = std::sqrt(1.0 - z * z);
+                        albedo += lobe.witness(alpha, s, {r * std::cos(turn), r * std::sin(turn), z}) * 2.0 *
+                                  pi / (steps * steps);
+                    }
+                EXPECT_NEAR(emitted_by(s, false).x, 1.0 - albedo, 3e-3) << lobe.name << ", alpha " << alpha;
+            }
 }
 
 } // namespace

@@ -49,6 +49,28 @@ TEST(GltfMaterial, EmptyMaterialHasTheDefaults)
     EXPECT_FALSE(material.phong.diffuse || material.phong.specular || material.phong.exponent);
 }
 
+TEST(GltfMaterial, CoatsAreRead)
+{
+    GltfBuilder builder = with_material({{"extensions",
+                                          {{"KHR_materials_clearcoat",
+                                            {{"clearcoatFactor", 0.75},
+                                             {"clearcoatRoughnessFactor", 0.25},
+                                             {"clearcoatTexture", {{"index", 0}}},
+                                             {"clearcoatRoughnessTexture", {{"index", 1}, {"texCoord", 1}}},
+                                             {"clearcoatNormalTexture", {{"index", 2}, {"scale", 0.5}}}}}}}},
+                                        3);
+    builder.document["extensionsRequired"] = {"KHR_materials_clearcoat"};
+    const Material material = read(builder);
+    EXPECT_EQ(material.coat, 0.75f);
+    EXPECT_EQ(material.coat_roughness, 0.25f);
+    EXPECT_EQ(material.coat_texture.image, 0);
+    EXPECT_EQ(material.coat_roughness_texture.image, 1);
+    EXPECT_EQ(material.coat_roughness_texture.texcoord, 1);
+    EXPECT_EQ(material.coat_normal_texture.image, 2);
+    EXPECT_EQ(material.coat_normal_scale, 0.5f);
+    EXPECT_EQ(read(with_material(json::object())).coat, 0.0f) << "without the extension there is none";
+}
+
 TEST(GltfMaterial, AllFactorsAreRead)
 {
     const Material material = read(with_material(

@@ -14,8 +14,8 @@
 namespace lambent::scene {
 
 /// Reads the default scene of a .gltf or .glb (told apart by content); without one the first, without any
-/// all root nodes. Supports KHR_lights_punctual, KHR_texture_transform, KHR_materials_emissive_strength,
-/// KHR_materials_unlit, KHR_mesh_quantization, EXT_mesh_gpu_instancing and KHR_node_visibility.
+/// all root nodes. Supports KHR_lights_punctual, KHR_texture_transform, KHR_materials_clearcoat,
+/// KHR_materials_emissive_strength, KHR_materials_unlit, KHR_mesh_quantization, EXT_mesh_gpu_instancing and KHR_node_visibility.
 ///
 /// The scene is as it stands: morph targets are applied at their default weights, skins as their joints are, and no
 /// animation plays. Missing normals become flat, tangents are made where a normal texture needs them.

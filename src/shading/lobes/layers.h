@@ -4,6 +4,8 @@
 //       `number`, from 1 on: that of its shading normal; `normal`: the texture that bends it
 // elsewhere the files that hold them.
 #ifdef LAYER
+LAYER(coat, 1, coat_normal)
 #undef LAYER
 #else
+#include "shading/lobes/coat.glsl"
 #endif

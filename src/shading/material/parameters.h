@@ -17,6 +17,9 @@ SCALAR(metallic, 4, 1.0, pbrMetallicRoughness, metallicFactor, metallic_roughnes
 ROUGHNESS(alpha, perceptual_roughness, 5, 1.0, pbrMetallicRoughness, roughnessFactor, metallic_roughness, g)
 STRENGTH(occlusion, occlusion_strength, 6, 1.0, occlusionTexture, strength, occlusion, r)
 COLOR(emissive, 7, 0.0, material, emissiveFactor, emissive)
+SCALAR(coat, 10, 0.0, KHR_materials_clearcoat, clearcoatFactor, coat, r)
+ROUGHNESS(coat_alpha, coat_roughness, 11, 0.0, KHR_materials_clearcoat, clearcoatRoughnessFactor,
+          coat_roughness, g)
 #undef COLOR_AND_ALPHA
 #undef COLOR
 #undef SCALAR

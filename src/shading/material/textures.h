@@ -8,5 +8,8 @@ TEXTURE(metallic_roughness, 1, linear, pbrMetallicRoughness, metallicRoughnessTe
 NORMAL_TEXTURE(normal, 2, material, normalTexture)
 TEXTURE(occlusion, 3, linear, material, occlusionTexture)
 TEXTURE(emissive, 4, color, material, emissiveTexture)
+TEXTURE(coat, 5, linear, KHR_materials_clearcoat, clearcoatTexture)
+TEXTURE(coat_roughness, 6, linear, KHR_materials_clearcoat, clearcoatRoughnessTexture)
+NORMAL_TEXTURE(coat_normal, 7, KHR_materials_clearcoat, clearcoatNormalTexture)
 #undef TEXTURE
 #undef NORMAL_TEXTURE
