@@ -136,7 +136,7 @@ void print(const Moving& moving, const Moving& beside, const Single& single)
 
 int main()
 {
-    viewer::Wish start{"grid", "kitchen", {}, viewer::first_eye("grid"), {}};
+    viewer::Wish start = viewer::plain_wish("grid", "kitchen");
     viewer::Stock stock;
     stock.load(viewer::arguments_of(start));
     viewer::Desk desk(stock);

@@ -95,7 +95,7 @@ TEST(Arguments, OneRoughnessIsForGgxAlone)
     EXPECT_EQ(reference.picture.settings.roughness_override, 1.0f);
     const auto served = std::get<ServeArguments>(parse({"serve", "sphere", "--roughness", "0.5"}));
     EXPECT_EQ(served.start.picture.settings.roughness_override, 0.5f);
-    EXPECT_EQ(served.start.words, (std::vector<std::pair<std::string, std::string>>{{"roughness", "0.5"}}));
+    EXPECT_EQ(served.start.given.words("roughness"), std::vector<std::string>{"0.5"});
     EXPECT_NE(render_refusal({"--model", "phong", "--roughness", "0.5"}).find("--alpha"), std::string::npos);
 }
 
@@ -123,8 +123,8 @@ TEST(Arguments, AMomentIsOneOfAFiles)
             << moment;
     const auto start =
         std::get<ServeArguments>(parse({"serve", "a.glb", "--animation", "2", "--moment", "3"}));
-    EXPECT_EQ(start.start.words,
-              (std::vector<std::pair<std::string, std::string>>{{"animation", "2"}, {"moment", "3"}}));
+    EXPECT_EQ(start.start.given.words("animation"), std::vector<std::string>{"2"});
+    EXPECT_EQ(start.start.given.words("moment"), std::vector<std::string>{"3"});
 }
 
 TEST(Arguments, DefaultsAreTheContracts)
@@ -226,7 +226,7 @@ TEST(Arguments, EveryOptionOfTheContractIsTaken)
     EXPECT_EQ(a.settings.model, draw::Model::phong);
     EXPECT_EQ(a.settings.mip_level, draw::MipLevel::report);
     EXPECT_FALSE(a.settings.energy_compensation);
-    EXPECT_EQ(a.builtin.density, 0.5);
+    EXPECT_EQ(a.builtin.density, 0.5f);
     EXPECT_EQ(a.builtin.exponent, 15625.0f);
     EXPECT_EQ(a.builtin.diffuse, glm::vec3(0.1f, 0.2f, 0.3f));
     EXPECT_EQ(a.builtin.specular, glm::vec3(0.4f, 0.5f, 0.6f));

@@ -1,12 +1,36 @@
-// Valid command lines, a word a line, for fuzz_cli to start from.
+// Valid command lines, a word a line, for fuzz_cli to start from, and the words of all options as its dictionary.
+#include "apps/options/option.h"
 #include "tests/fuzz/seed_files.h"
 
+#include <set>
 #include <string_view>
+
+namespace {
+
+void write_dictionary(const std::filesystem::path& path)
+{
+    using namespace lambent::cli;
+    std::set<std::string> words = {"-o", "--help", "--version", "help", "nan", "inf", "1e400", "-1"};
+    for (const CommandRow& row : commands())
+        words.emplace(row.name);
+    for (const OptionList& list : option_lists())
+        for (const Option* option : list.options) {
+            words.insert(dashed(*option));
+            for (const std::string& word : words_in(option->domain.choices))
+                words.insert(word);
+        }
+    std::ofstream file(path);
+    for (const std::string& word : words)
+        file << '"' << word << "\"\n";
+}
+
+} // namespace
 
 int main(int argc, char** argv)
 {
     if (argc != 2)
         return 2;
+    write_dictionary(std::filesystem::path(argv[1]) / "dictionary");
     constexpr std::string_view seeds[] = {
         "render\nreport\n-o\na.png\n--size\n64x48\n--camera\n30,20,4\n--fov\n40\n--aa\n4\n--samples\n40",
         "render\nsphere\n-o\na.exr\n--model\nphong\n--alpha\n625\n--kd\n1,0,0\n--ks\n0,0,1\n--mip-"

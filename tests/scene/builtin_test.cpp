@@ -153,11 +153,11 @@ TEST(Builtin, OptionsReachEveryMaterial)
 TEST(Builtin, DensityChangesTheNumberOfTriangles)
 {
     BuiltinOptions half;
-    half.density = 0.5;
+    half.density = 0.5f;
     // 256 x 128 and 128 x 64: 2 segments (rings - 1)
     EXPECT_EQ(triangle_count(make_builtin("sphere")), 2u * 256u * 127u);
     EXPECT_EQ(triangle_count(make_builtin("sphere", half)), 2u * 128u * 63u);
-    half.density = 1.0 / 16.0;
+    half.density = 1.0f / 16.0f;
     EXPECT_GT(triangle_count(make_builtin("report", half)), 0u);
 }
 
@@ -172,9 +172,9 @@ TEST(Builtin, OptionsOutsideTheirRangeAreRefused)
         return false;
     };
     BuiltinOptions options;
-    options.density = 0.0;
+    options.density = 0.0f;
     EXPECT_TRUE(failure(options));
-    options.density = 100.0;
+    options.density = 100.0f;
     EXPECT_TRUE(failure(options));
     for (const float exponent : {0.0f, -1.0f, 1.1e6f, std::nanf("")}) {
         options = {};

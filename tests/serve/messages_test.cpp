@@ -22,8 +22,7 @@ struct Messages : ::testing::Test {
 
     viewer::Stock stock{{.cache = false}};
     viewer::FileList files{{}};
-    viewer::Session session{
-        {"plane", "furnace", {}, viewer::first_eye("plane"), {}, 64, 64}, stock, std::make_shared<Nobody>()};
+    viewer::Session session{viewer::plain_wish("plane", "furnace"), stock, std::make_shared<Nobody>()};
 };
 
 TEST_F(Messages, DoWhatTheySay)
@@ -35,16 +34,16 @@ TEST_F(Messages, DoWhatTheySay)
     said(R"({"do": "lights", "list": ["point:1,2,3,4,5,6"]})");
     said(R"({"do": "size", "width": 100, "height": 50})");
     said(R"({"do": "orbit", "x": 10, "y": 5})");
-    EXPECT_EQ(wish().values["exposure"], "2.5");
-    EXPECT_EQ(wish().values["tone"], "agx");
-    EXPECT_EQ(wish().values["env-rotation"], "-170");
-    EXPECT_EQ(wish().lights.size(), 1u);
-    EXPECT_EQ(wish().width, 100);
+    EXPECT_EQ(viewer::value_of(wish().asked, "exposure"), "2.5");
+    EXPECT_EQ(viewer::value_of(wish().asked, "tone"), "agx");
+    EXPECT_EQ(viewer::value_of(wish().asked, "env-rotation"), "-170");
+    EXPECT_EQ(wish().asked.light_words.size(), 1u);
+    EXPECT_EQ(wish().asked.settings.width, 100);
     EXPECT_NEAR(wish().eye.azimuth(), 40.0, 1e-3);
     said(R"({"do": "reset"})");
-    EXPECT_EQ(wish().values["exposure"], "1");
+    EXPECT_EQ(viewer::value_of(wish().asked, "exposure"), "1");
     EXPECT_NEAR(wish().eye.azimuth(), 30.0, 1e-3);
-    EXPECT_EQ(wish().width, 100);
+    EXPECT_EQ(wish().asked.settings.width, 100);
 }
 
 TEST_F(Messages, MalformedOnesAreNamedAndChangeNothing)

@@ -20,8 +20,9 @@ using test::Visitor;
 
 viewer::Wish small_wish()
 {
-    viewer::Wish wish{"sphere", "furnace", {}, viewer::first_eye("sphere"), {}, 64, 48};
-    wish.values.set("samples", "8");
+    viewer::Wish wish = viewer::plain_wish("sphere", "furnace");
+    viewer::set_size(wish, 64, 48);
+    viewer::set_value(wish.asked, "samples", "8");
     return wish;
 }
 

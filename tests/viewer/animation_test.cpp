@@ -23,7 +23,7 @@ protected:
     Wish wish() const
     {
         Wish wish = small_wish(model);
-        wish.values.set("background", "none");
+        set_value(wish.asked, "background", "none");
         return wish;
     }
 
@@ -76,8 +76,8 @@ TEST_F(Animations, TwoViewersSeeTheirOwnMoments)
     desk.nudge();
     const Picture moved = one.wait_for(Picture::Kind::rest, 2), still = two.wait_for(Picture::Kind::rest, 0);
     EXPECT_NE(moved.codes.bytes, still.codes.bytes);
-    two.change(1, [](Wish& w, const Eye::World&) { w.values.set("exposure", "2"); });
-    two.change(2, [](Wish& w, const Eye::World&) { w.values.set("exposure", "1"); });
+    two.change(1, [](Wish& w, const Eye::World&) { set_value(w.asked, "exposure", "2"); });
+    two.change(2, [](Wish& w, const Eye::World&) { set_value(w.asked, "exposure", "1"); });
     EXPECT_EQ(two.wait_for(Picture::Kind::rest, 2).codes.bytes, still.codes.bytes);
 }
 
@@ -124,8 +124,8 @@ TEST_F(Animations, MomentsEndWithTheAnimation)
 TEST_F(Animations, TheReferenceIsOfTheMoment)
 {
     Wish still = wish();
-    still.values.set("bounces", "0");
-    still.values.set("layer", "reference");
+    set_value(still.asked, "bounces", "0");
+    set_value(still.asked, "layer", "reference");
     Seat seat(desk, stock, still);
     seat.wait_for(Picture::Kind::rest, 0);
     seat.session->animate(1, 0.0);
@@ -141,7 +141,7 @@ TEST_F(Animations, TheReferenceIsOfTheMoment)
 TEST_F(Animations, TheReferenceBeginsAnewWhenTheFileChanges)
 {
     Wish compared = wish();
-    compared.values.set("layer", "reference");
+    set_value(compared.asked, "layer", "reference");
     Seat seat(desk, stock, compared);
     const double before = middle_of(seat.wait_for(Picture::Kind::traced, 0).codes);
     scene::test::GltfBuilder changed = scene::test::triangle();
@@ -152,7 +152,7 @@ TEST_F(Animations, TheReferenceBeginsAnewWhenTheFileChanges)
     for (int i = 0; i < 1000 && std::fabs(middle_of(traced.codes) - before) < 3.0; ++i)
         traced = seat.wait_for(Picture::Kind::traced, 0);
     const Picture drawn = [&] {
-        seat.change(1, [](Wish& w, const Eye::World&) { w.values.set("layer", "picture"); });
+        seat.change(1, [](Wish& w, const Eye::World&) { set_value(w.asked, "layer", "picture"); });
         return seat.wait_for(Picture::Kind::rest, 1);
     }();
     EXPECT_NEAR(middle_of(traced.codes), middle_of(drawn.codes), 1.0);
@@ -169,7 +169,7 @@ TEST_F(Animations, OneThatIsGoneIsForgotten)
     seat.wait_for(Picture::Kind::moving, 2);
     write(scene::test::triangle().glb());
     seat.wait_for(Picture::Kind::rest, 2); // it plays no more
-    EXPECT_EQ(seat.session->wish().animation, "");
+    EXPECT_EQ(seat.session->wish().asked.animation, "");
     EXPECT_TRUE(nlohmann::json::parse(seat.session->state())["error"].get<std::string>().empty());
 }
 

@@ -46,15 +46,15 @@ TEST(Desk, WhatIsSavedIsWhatTheShownCommandWrites)
         wish.eye.orbit(33.333333, 11.1111111);
         wish.eye.pan(world, 0.123456789, -0.1, 45.0);
         wish.eye.dolly(world, -0.3);
-        wish.values.set("exposure", "1.2345678");
-        wish.values.set("env-rotation", "-33.3");
+        set_value(wish.asked, "exposure", "1.2345678");
+        set_value(wish.asked, "env-rotation", "-33.3");
     });
     check("png");
     seat.change(++input, [](Wish& wish, const Eye::World&) {
-        wish.values.set("model", "phong");
-        wish.values.set("alpha", "17.5");
-        wish.values.set("kd", "0.1,0.7,0.3");
-        wish.values.set("background", "none");
+        set_value(wish.asked, "model", "phong");
+        set_value(wish.asked, "alpha", "17.5");
+        set_value(wish.asked, "kd", "0.1,0.7,0.3");
+        set_value(wish.asked, "background", "none");
         set_lights(wish, {"directional:10,20,1,2,3", "point:0.5,2,1,1,1,1"});
     });
     check("png");
@@ -69,9 +69,9 @@ TEST(Desk, WhatIsSavedWaitsForWhatIsLoaded)
     Seat seat(desk, stock, small_wish("sphere"));
     seat.wait_for(Picture::Kind::rest, 0);
     seat.change(1, [](Wish& wish, const Eye::World&) {
-        wish.values.set("model", "phong");
-        wish.values.set("kd", "0.1,0.7,0.3");
-        wish.density = "4";
+        set_value(wish.asked, "model", "phong");
+        set_value(wish.asked, "kd", "0.1,0.7,0.3");
+        wish.asked.builtin.density = 4.0f;
     });
     seat.session->save("png");
     desk.nudge();
@@ -123,7 +123,7 @@ TEST(Desk, AMoveOvertakesALongPicture)
     Stock stock({.cache = false});
     Desk desk(stock);
     Wish wish = small_wish("grid");
-    wish.values.set("samples", "1024");
+    set_value(wish.asked, "samples", "1024");
     set_size(wish, 1600.0, 1200.0);
     Seat seat(desk, stock, wish);
     seat.wait_for(Picture::Kind::still, 0);
@@ -131,14 +131,14 @@ TEST(Desk, AMoveOvertakesALongPicture)
     seat.change(1, [](Wish& w, const Eye::World&) { w.eye.orbit(5.0, 0.0); });
     const Picture next = seat.wait_for(Picture::Kind::moving, 1);
     EXPECT_EQ(next.input, 1u);
-    seat.change(2, [](Wish& w, const Eye::World&) { w.values.set("samples", "8"); });
+    seat.change(2, [](Wish& w, const Eye::World&) { set_value(w.asked, "samples", "8"); });
     EXPECT_EQ(seat.wait_for(Picture::Kind::rest, 2).input, 2u);
 }
 
 Wish slow_wish()
 {
     Wish wish = small_wish("grid");
-    wish.values.set("samples", "260"); // from 256 on everything is looked at more closely
+    set_value(wish.asked, "samples", "260"); // from 256 on everything is looked at more closely
     const bool is_slow_anyway = testing::patience > 1;
     set_size(wish, is_slow_anyway ? 96.0 : 320.0, is_slow_anyway ? 72.0 : 240.0);
     return wish;
@@ -248,12 +248,12 @@ TEST(Desk, WhatCannotBeOpenedIsSaidAndTheOldPictureStays)
         });
     };
     EXPECT_TRUE(says("nowhere.glb"));
-    EXPECT_EQ(seat.session->wish().scene, "sphere");
+    EXPECT_EQ(seat.session->wish().asked.scene, "sphere");
     seat.session->open_scene("grid");
     desk.nudge();
-    while (seat.session->wish().scene != "grid")
+    while (seat.session->wish().asked.scene != "grid")
         seat.wait_for(Picture::Kind::moving, 0);
-    EXPECT_EQ(seat.session->wish().scene, "grid");
+    EXPECT_EQ(seat.session->wish().asked.scene, "grid");
 }
 
 TEST(Desk, ChangesThatAreRefusedChangeNothing)
@@ -264,8 +264,8 @@ TEST(Desk, ChangesThatAreRefusedChangeNothing)
     const std::string before = seat.session->state();
     EXPECT_THROW(seat.session->change(1,
                                       [](Wish& wish, const Eye::World&) {
-                                          wish.values.set("exposure", "2");
-                                          wish.values.set("exposure", "-2");
+                                          set_value(wish.asked, "exposure", "2");
+                                          set_value(wish.asked, "exposure", "-2");
                                       }),
                  Error);
     EXPECT_EQ(seat.session->state(), before);
@@ -277,16 +277,16 @@ TEST(Desk, ALayerThatAModelDoesNotHaveIsSaid)
     Stock stock({.cache = false});
     Desk desk(stock);
     Wish wish = small_wish("sphere");
-    wish.values.set("model", "phong");
+    set_value(wish.asked, "model", "phong");
     Seat seat(desk, stock, wish);
     const std::vector<std::uint8_t> picture = seat.wait_for(Picture::Kind::rest, 0).codes.bytes;
-    seat.change(1, [](Wish& w, const Eye::World&) { w.values.set("layer", "metalness"); });
+    seat.change(1, [](Wish& w, const Eye::World&) { set_value(w.asked, "layer", "metalness"); });
     EXPECT_EQ(seat.wait_for(Picture::Kind::rest, 1).codes.bytes, picture);
     EXPECT_TRUE(seat.audience->wait([&] {
         return seat.audience->states.back().find("the model phong has no layer metalness") !=
                std::string::npos;
     }));
-    seat.change(2, [](Wish& w, const Eye::World&) { w.values.set("model", "ggx"); });
+    seat.change(2, [](Wish& w, const Eye::World&) { set_value(w.asked, "model", "ggx"); });
     EXPECT_NE(seat.wait_for(Picture::Kind::rest, 2).codes.bytes, picture);
     EXPECT_TRUE(nlohmann::json::parse(seat.session->state())["error"].get<std::string>().empty());
 }
@@ -302,8 +302,8 @@ TEST(Desk, EveryLayerCanBeLookedAt)
         for (const char* layer : {"base_color", "alpha", "roughness", "normal", "depth", "mip_level",
                                   "irradiance", "light_specular"}) {
             seat.change(++input, [&](Wish& wish, const Eye::World&) {
-                wish.values.set("model", model);
-                wish.values.set("layer", layer);
+                set_value(wish.asked, "model", model);
+                set_value(wish.asked, "layer", layer);
             });
             EXPECT_NE(seat.wait_for(Picture::Kind::rest, input).codes.bytes, picture)
                 << model << " " << layer;
@@ -316,9 +316,9 @@ TEST(Desk, TheReferenceFollowsThePictureWithItsError)
     Stock stock({.cache = false});
     Desk desk(stock);
     Wish wish = small_wish("report");
-    wish.values.set("exposure", "0.5");
-    wish.values.set("layer", "reference");
-    wish.values.set("bounces", "2");
+    set_value(wish.asked, "exposure", "0.5");
+    set_value(wish.asked, "layer", "reference");
+    set_value(wish.asked, "bounces", "2");
     Seat seat(desk, stock, wish);
     EXPECT_FALSE(seat.wait_for(Picture::Kind::rest, 0).is_last);
     Picture traced = seat.wait_for(Picture::Kind::traced, 0);
@@ -347,7 +347,7 @@ TEST(Desk, TheReferenceFollowsThePictureWithItsError)
     EXPECT_NEAR(traced.traced->error, found.at("relative_rmse").get<double>(), 2e-3); // files hold halfs
     EXPECT_GT(traced.traced->error, 0.02);
 
-    seat.change(1, [](Wish& w, const Eye::World&) { w.values.set("layer", "error"); });
+    seat.change(1, [](Wish& w, const Eye::World&) { set_value(w.asked, "layer", "error"); });
     Picture error = seat.wait_for(Picture::Kind::traced, 1);
     while (!error.is_last)
         error = seat.wait_for(Picture::Kind::traced, 1);
@@ -367,14 +367,14 @@ TEST(Desk, AMoveEndsATrace)
     Stock stock({.cache = false});
     Desk desk(stock);
     Wish wish = small_wish("grid");
-    wish.values.set("layer", "reference");
+    set_value(wish.asked, "layer", "reference");
     set_size(wish, 640.0, 360.0);
     Seat seat(desk, stock, wish);
     seat.wait_for(Picture::Kind::traced, 0);
     seat.change(1, [](Wish& w, const Eye::World&) { w.eye.orbit(5.0, 0.0); });
     EXPECT_EQ(seat.wait_for(Picture::Kind::moving, 1).input, 1u);
     EXPECT_EQ(seat.wait_for(Picture::Kind::traced, 1).input, 1u);
-    seat.change(2, [](Wish& w, const Eye::World&) { w.values.set("layer", "picture"); });
+    seat.change(2, [](Wish& w, const Eye::World&) { set_value(w.asked, "layer", "picture"); });
     EXPECT_TRUE(seat.wait_for(Picture::Kind::rest, 2).is_last);
 }
 

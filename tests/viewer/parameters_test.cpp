@@ -1,5 +1,5 @@
 // The table of parameters, and what is refused.
-#include "apps/viewer/parameters.h"
+#include "apps/viewer/wish.h"
 #include "base/error.h"
 
 #include <gtest/gtest.h>
@@ -10,17 +10,28 @@
 namespace lambent::viewer {
 namespace {
 
+using Values = cli::RenderArguments;
+
+// The options of the command that draws a scene with these values.
+std::vector<std::string> options_of(const Values& values, const std::string& scene)
+{
+    Wish wish{values, {}};
+    wish.asked.scene = scene;
+    const std::vector<std::string> words = words_of(wish);
+    return {words.begin() + 6, words.end()}; // behind the scene, its size and the camera
+}
+
 std::string refusal(std::string_view name, const std::string& word)
 {
     Values values;
-    const Values before = values;
+    const nlohmann::ordered_json before = to_json(values);
     try {
-        values.set(name, word);
+        set_value(values, name, word);
         return "";
     } catch (const Error& error) {
         EXPECT_EQ(error.failure(), Failure::usage);
         EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
-        EXPECT_TRUE(values == before);
+        EXPECT_EQ(to_json(values), before);
         return error.what();
     }
 }
@@ -28,25 +39,26 @@ std::string refusal(std::string_view name, const std::string& word)
 TEST(Parameters, NamesAreUniqueAndDefaultsAreValues)
 {
     std::set<std::string_view> names;
-    for (const Parameter& row : parameters()) {
-        EXPECT_TRUE(names.insert(row.name).second) << row.name;
-        EXPECT_EQ(refusal(row.name, std::string(row.usual)), "");
-        EXPECT_FALSE(row.label.empty());
+    for (const Parameter* row : parameters()) {
+        EXPECT_TRUE(names.insert(row->option.name).second) << row->option.name;
+        EXPECT_EQ(refusal(row->option.name, std::string(row->option.usual)), "");
     }
-    EXPECT_TRUE(Values().options(true).empty());
+    EXPECT_TRUE(options_of({}, "sphere").empty());
 }
 
 TEST(Parameters, EndsOfRangesAreInAndWhatIsBeyondIsOut)
 {
-    for (const Parameter& row : parameters()) {
-        if (row.kind != Kind::number && row.kind != Kind::whole)
+    for (const Parameter* parameter : parameters()) {
+        if (kind_of(*parameter) != Kind::number && kind_of(*parameter) != Kind::whole)
             continue;
-        EXPECT_EQ(refusal(row.name, number_word(row.least)), "");
-        EXPECT_EQ(refusal(row.name, number_word(row.most)), "");
-        EXPECT_NE(refusal(row.name, number_word(row.most * 1.01 + 1.0)), "") << row.name;
-        EXPECT_NE(refusal(row.name, number_word(row.least - 1.0)), "") << row.name;
+        const std::string_view name = parameter->option.name;
+        const cli::Control& row = parameter->option.control;
+        EXPECT_EQ(refusal(name, number_word(row.least)), "");
+        EXPECT_EQ(refusal(name, number_word(row.most)), "");
+        EXPECT_NE(refusal(name, number_word(row.most * 1.01 + 1.0)), "") << name;
+        EXPECT_NE(refusal(name, number_word(row.least - 1.0)), "") << name;
         for (const char* word : {"nan", "inf", "1e999", "x", "1 2", "--help"})
-            EXPECT_NE(refusal(row.name, word), "") << row.name << " " << word;
+            EXPECT_NE(refusal(name, word), "") << name << " " << word;
     }
 }
 
@@ -67,43 +79,45 @@ TEST(Parameters, OnlyWordsOfTheListAreChosen)
 TEST(Parameters, OptionsAreThoseThatDiffer)
 {
     Values values;
-    values.set("exposure", "+2.50");
-    values.set("alpha", "30");
-    values.set("layer", "normal");
+    set_value(values, "exposure", "+2.50");
+    set_value(values, "alpha", "30");
+    set_value(values, "layer", "normal");
     using Words = std::vector<std::string>;
-    EXPECT_EQ(values.options(true), (Words{"--exposure", "2.5"}));
-    values.set("model", "phong");
-    EXPECT_EQ(values.options(true), (Words{"--exposure", "2.5", "--model", "phong", "--alpha", "30"}));
-    EXPECT_EQ(values.options(false), (Words{"--exposure", "2.5", "--model", "phong"}));
+    EXPECT_EQ(options_of(values, "sphere"), (Words{"--exposure", "2.5"}));
+    set_value(values, "model", "phong");
+    EXPECT_EQ(options_of(values, "sphere"),
+              (Words{"--exposure", "2.5", "--model", "phong", "--alpha", "30"}));
+    EXPECT_EQ(options_of(values, "a.glb"), (Words{"--exposure", "2.5", "--model", "phong"}));
 }
 
 TEST(Parameters, OneRoughnessIsOfGgxAndMayBeTakenBack)
 {
     using Words = std::vector<std::string>;
     Values values;
-    values.set("roughness", "0.5");
-    EXPECT_EQ(values.options(false), (Words{"--roughness", "0.5"}));
-    values.set("model", "phong");
-    EXPECT_EQ(values.options(true), (Words{"--model", "phong"}));
-    values.set("model", "ggx");
-    values.set("roughness", "");
-    EXPECT_TRUE(values == Values());
+    set_value(values, "roughness", "0.5");
+    EXPECT_EQ(options_of(values, "a.glb"), (Words{"--roughness", "0.5"}));
+    set_value(values, "model", "phong");
+    EXPECT_EQ(options_of(values, "sphere"), (Words{"--model", "phong"}));
+    set_value(values, "model", "ggx");
+    set_value(values, "roughness", "");
+    EXPECT_EQ(to_json(values), to_json(Values()));
 }
 
 TEST(Parameters, RowsApplyWhereTheirOptionsDo)
 {
     Values values;
     const auto applying = [&](bool built_in) {
+        values.scene = built_in ? "sphere" : "a.glb";
         std::set<std::string_view> names;
-        for (const Parameter& row : parameters())
-            if (row.scope != Scope::all && values.applies(row, built_in))
-                names.insert(row.name);
+        for (const Parameter* row : parameters())
+            if (row->option.needs != cli::Needs::nothing && cli::applies(row->option.needs, values))
+                names.insert(row->option.name);
         return names;
     };
     using Names = std::set<std::string_view>;
     EXPECT_EQ(applying(true), (Names{"roughness"}));
     EXPECT_EQ(applying(false), (Names{"roughness"}));
-    values.set("model", "phong");
+    set_value(values, "model", "phong");
     EXPECT_EQ(applying(true), (Names{"alpha", "kd", "ks"}));
     EXPECT_EQ(applying(false), Names());
 }

@@ -84,8 +84,9 @@ struct Seat {
 
 inline Wish small_wish(const std::string& scene)
 {
-    Wish wish{scene, "furnace", {}, first_eye(scene), {}, 96, 64};
-    wish.values.set("samples", "8");
+    Wish wish = plain_wish(scene, "furnace");
+    set_size(wish, 96, 64);
+    set_value(wish.asked, "samples", "8");
     return wish;
 }
 

@@ -11,8 +11,10 @@ namespace {
 
 TEST(Wish, TheCommandSaysAllThatIsNotUsual)
 {
-    Wish wish{"my model.glb", "-sky.hdr", {}, Eye(10.0, -20.0), {}, 640, 360};
-    wish.values.set("tone", "agx");
+    Wish wish = plain_wish("my model.glb", "-sky.hdr");
+    wish.eye = Eye(10.0, -20.0);
+    set_size(wish, 640, 360);
+    set_value(wish.asked, "tone", "agx");
     set_lights(wish, {"point:1,2,3,4,5,6"});
     EXPECT_EQ(
         command_of(wish, "out.png"),
@@ -29,51 +31,51 @@ TEST(Wish, AnAnimationIsCalledByWhatNamesItAlone)
 {
     using Names = std::vector<scene::AnimationInfo>;
     const auto word_of = [](const Names& names, int number) {
-        Wish wish{"walker.glb", "kitchen", {}, {}, {}};
+        Wish wish = plain_wish("walker.glb", "kitchen");
         animate(wish, names, number);
         wish.moment = 0.5;
         const cli::RenderArguments arguments = arguments_of(wish);
-        EXPECT_EQ(arguments.animation, wish.animation);
+        EXPECT_EQ(arguments.animation, wish.asked.animation);
         EXPECT_EQ(arguments.moment, 0.5);
         EXPECT_EQ(animation_of(wish, names), number);
-        return wish.animation;
+        return wish.asked.animation;
     };
     EXPECT_EQ(word_of({{"-walk", 1}, {"run", 1}}, 0), "-walk");
     EXPECT_EQ(word_of({{"walk", 1}, {"walk", 1}}, 1), "1");
     EXPECT_EQ(word_of({{"walk", 1}, {std::string("x\0y", 3), 1}}, 1), "1");
     EXPECT_EQ(word_of({{"", 1}, {"run", 1}}, 0), "0");
-    Wish wish{"walker.glb", "kitchen", {}, {}, {}};
+    Wish wish = plain_wish("walker.glb", "kitchen");
     animate(wish, {{"walk", 1}}, 0);
     for (const double none : {1.0, 0.5, std::nan("")})
         EXPECT_THROW(animate(wish, {{"walk", 1}}, none), Error);
-    EXPECT_EQ(wish.animation, "walk"); // as it was
-    wish.scene = "sphere";
+    EXPECT_EQ(wish.asked.animation, "walk"); // as it was
+    wish.asked.scene = "sphere";
     EXPECT_FALSE(arguments_of(wish).moment.has_value());
 }
 
 TEST(Wish, LightsAreCheckedAndCounted)
 {
-    Wish wish{"grid", "kitchen", {}, {}, {}};
+    Wish wish = plain_wish("grid", "kitchen");
     EXPECT_THROW(set_lights(wish, {"spot:1"}), Error);
     EXPECT_THROW(set_lights(wish, {"point:1,2,3,-4,5,6"}), Error);
     EXPECT_THROW(set_lights(wish, std::vector<std::string>(most_lights + 1, "point:1,2,3,4,5,6")), Error);
-    EXPECT_TRUE(wish.lights.empty());
+    EXPECT_TRUE(wish.asked.light_words.empty());
 }
 
 TEST(Wish, SizesAreCutInProportion)
 {
-    Wish wish{"grid", "kitchen", {}, {}, {}};
+    Wish wish = plain_wish("grid", "kitchen");
     set_size(wish, 1280.0, 720.0);
-    EXPECT_EQ(wish.width, 1280);
-    EXPECT_EQ(wish.height, 720);
+    EXPECT_EQ(wish.asked.settings.width, 1280);
+    EXPECT_EQ(wish.asked.settings.height, 720);
     set_size(wish, 1.0e300, 1.0e300);
-    EXPECT_LE(wish.width * wish.height, most_pixels);
-    EXPECT_EQ(wish.width, wish.height);
+    EXPECT_LE(wish.asked.settings.width * wish.asked.settings.height, most_pixels);
+    EXPECT_EQ(wish.asked.settings.width, wish.asked.settings.height);
     set_size(wish, 16384.0, 16.0);
-    EXPECT_LE(wish.width * wish.height, most_pixels);
+    EXPECT_LE(wish.asked.settings.width * wish.asked.settings.height, most_pixels);
     set_size(wish, std::nan(""), -5.0);
-    EXPECT_EQ(wish.width, 16);
-    EXPECT_EQ(wish.height, 16);
+    EXPECT_EQ(wish.asked.settings.width, 16);
+    EXPECT_EQ(wish.asked.settings.height, 16);
 }
 
 Wish wish_of(std::vector<const char*> words)
@@ -128,6 +130,54 @@ TEST(Wish, StartsWithWhatTheCommandLineSays)
     EXPECT_THROW(wish_of({"grid", "--stats", "json"}), Error);
 }
 
+// What is drawn for a wish is what its command draws: nothing of it has more digits than the words.
+TEST(Wish, ArgumentsAreThoseThatItsCommandTakes)
+{
+    for (const char* scene : {"sphere", "walker.glb"})
+        for (const char* model : {"ggx", "phong"})
+            for (const char* ibl : {"sampled", "split-sum"}) {
+                Wish wish = plain_wish(scene, "-sky.hdr");
+                wish.eye.orbit(12.3456789, -1.23456789);
+                wish.eye.dolly({}, 0.12345678);
+                wish.asked.animation = "-walk";
+                wish.asked.builtin.density = 0.3f;
+                wish.moment = 1.23456789;
+                for (const auto& [name, word] : {std::pair("model", model),
+                                                 {"ibl", ibl},
+                                                 {"exposure", "1.23456789"},
+                                                 {"fov", "33.3333333"},
+                                                 {"env-rotation", "-123.456789"},
+                                                 {"roughness", "0.123456789"},
+                                                 {"kd", "0.123456789,1,0"},
+                                                 {"background", "blur:0.123456789"}})
+                    set_value(wish.asked, name, word);
+                set_lights(wish, {"point:1,2,3.3333333333,4,5,6", "directional:1,2,3,4,5"});
+                std::vector<std::string> words = words_of(wish);
+                words.insert(words.begin(), "lambent");
+                words.insert(words.end(), {"-o", "a.png"});
+                std::vector<const char*> pointers;
+                pointers.reserve(words.size());
+                for (const std::string& word : words)
+                    pointers.push_back(word.c_str());
+                const auto parsed = std::get<cli::RenderArguments>(
+                    cli::parse_arguments(static_cast<int>(pointers.size()), pointers.data()));
+                cli::RenderArguments drawn = arguments_of(wish);
+                drawn.output = "a.png";
+                const auto said = [](const cli::RenderArguments& arguments) {
+                    std::vector<std::string> line;
+                    for (const cli::OptionWord& word : cli::words_of(arguments, cli::command::render))
+                        cli::append(line, word);
+                    return line;
+                };
+                EXPECT_EQ(said(drawn), said(parsed));
+                EXPECT_EQ(drawn.settings.samples, parsed.settings.samples);
+                EXPECT_EQ(drawn.settings.texel_transfer, parsed.settings.texel_transfer);
+                EXPECT_EQ(drawn.display.unlit_by_power, parsed.display.unlit_by_power);
+                EXPECT_EQ(drawn.light_places, parsed.light_places);
+                EXPECT_EQ(drawn.settings.lights.at(1).direction, parsed.settings.lights.at(1).direction);
+            }
+}
+
 // A camera at (3, 2, 1) that looks along -X, and a scene around the origin.
 TEST(Wish, LooksThroughACameraOfTheScene)
 {
@@ -146,22 +196,22 @@ TEST(Wish, LooksThroughACameraOfTheScene)
     camera.vertical_size = 4.0f;
     scene.cameras.push_back(camera);
     Wish wish;
-    wish.scene = "model.glb";
+    wish.asked.scene = "model.glb";
     look_through(wish, scene, "side");
-    EXPECT_EQ(wish.values["fov"], "28.6479"); // 0.5 radians
+    EXPECT_EQ(value_of(wish.asked, "fov"), "28.6479"); // 0.5 radians
     EXPECT_EQ(wish.eye.options(), (std::vector<std::string>{"--camera", "90,0,3", "--target", "0,2,1"}));
-    wish.values.set("fov", "90");
+    set_value(wish.asked, "fov", "90");
     look_through(wish, scene, "plan"); // at the target 4 m are seen, as 2 m away through 90 degrees
     EXPECT_EQ(wish.eye.options(), (std::vector<std::string>{"--camera", "90,0,2", "--target", "1,2,1"}));
     EXPECT_THROW(look_through(wish, scene, "top"), Error);
     // A frame of aspect 2 in a square picture: twice as much is seen from bottom to top.
     scene.cameras[0].aspect = scene.cameras[1].aspect = 2.0f;
-    wish.width = wish.height = 256;
+    wish.asked.settings.width = wish.asked.settings.height = 256;
     look_through(wish, scene, "plan");
     EXPECT_EQ(wish.eye.options(), (std::vector<std::string>{"--camera", "90,0,4", "--target", "-1,2,1"}));
     look_through(wish, scene, "side");
-    EXPECT_NEAR(std::stod(wish.values["fov"]), 2.0 * std::atan(2.0 * std::tan(0.25)) * 180.0 / 3.14159265359,
-                1e-3);
+    EXPECT_NEAR(std::stod(value_of(wish.asked, "fov")),
+                2.0 * std::atan(2.0 * std::tan(0.25)) * 180.0 / 3.14159265359, 1e-3);
     scene.origin = {4.5e6, 0.0, 0.0};
     look_through(wish, scene, "side");
     EXPECT_EQ(wish.eye.options(),

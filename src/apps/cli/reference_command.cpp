@@ -65,7 +65,7 @@ Json describe(const ReferenceArguments& arguments, const scene::Scene& scene, co
             {"backend", "cpu"},
             {"width", result.radiance.width},
             {"height", result.radiance.height},
-            {"bounces", arguments.bounces},
+            {"bounces", arguments.picture.bounces},
             {"samples", result.samples},
             {"error", result.noise ? Json(result.noise->all) : Json(nullptr)},
             {"error_covered", result.noise ? Json(result.noise->covered) : Json(nullptr)},

@@ -30,7 +30,7 @@ reference::Settings reference_settings(const ReferenceArguments& arguments, cons
     static_cast<view::Picture&>(settings) = arguments.picture.settings;
     settings.camera = choose_camera(arguments.picture, scene);
     settings.lights = lights_asked(arguments.picture, scene.origin);
-    settings.bounces = arguments.bounces;
+    settings.bounces = arguments.picture.bounces;
     settings.seed = arguments.seed;
     settings.cut = 1.0 / static_cast<double>(arguments.picture.display.exposure);
     if (arguments.seconds)

@@ -1,6 +1,7 @@
 // The command line as a value.
 #pragma once
 
+#include "apps/options/given.h"
 #include "display/display.h"
 #include "draw/settings.h"
 #include "environment/bake/bake.h"
@@ -13,7 +14,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -41,9 +41,14 @@ struct RenderArguments {
     std::string output;
     std::string layers; ///< folder; empty: none
     draw::Settings settings;
+    bool split_sum = false; ///< specular light by draw::split_sum_samples, whatever the settings' samples
+    bool report_pipeline = false;     ///< as draw::ReportPipeline
+    int bounces = 8;                  ///< of light, where it is traced
+    std::string shown = "picture";    ///< by viewers: the picture, the reference, the error or a layer
     std::optional<view::Orbit> orbit; ///< unset: the default view, or camera_node
     std::optional<glm::dvec3> target; ///< in the world, what the orbit is around; unset: the scene's middle
     std::vector<glm::dvec3> light_places; ///< in the world, of each light of the settings
+    std::vector<std::string> light_words; ///< of --light, of each of them
     std::string camera_node;
     std::string animation;        ///< name or number; empty: none, or the first, if there is a moment
     std::optional<double> moment; ///< seconds; unset: the animation's start, if there is one
@@ -55,7 +60,6 @@ struct RenderArguments {
 /// The picture of RenderArguments, path-traced. What says how to approximate changes nothing here.
 struct ReferenceArguments {
     RenderArguments picture;
-    int bounces = 8;
     std::optional<int> samples;    ///< per pixel; unset: no limit
     std::optional<double> noise;   ///< estimated relative RMSE
     std::optional<double> seconds; ///< none of the three: noise 0.01 or 1024 samples
@@ -93,6 +97,7 @@ struct BakeArguments {
     std::string output;
     bool one_file = false; ///< a .ktx2 or .dds with the specular light, else a folder for everything
     environment::BakeOptions options;
+    std::optional<int> samples;         ///< instead of the options' error: that of so many
     std::optional<int> irradiance_size; ///< 0: coefficients alone; unset: usual_irradiance_size
     std::optional<int> table_size;      ///< unset: usual_table_size
     double rotation = 0.0;              ///< of the environment, degrees
@@ -104,31 +109,31 @@ struct BakeArguments {
     bool cache = true; ///< of a device's compiled shaders
 
     static constexpr int usual_irradiance_size = 32, usual_table_size = 128;
+    static constexpr double least_error = 0.0005, most_error = 0.2;
 };
 
 struct ReportArguments {
     CommonOptions common;
     std::string environment = "kitchen";
-    std::string output;            ///< folder
-    int width = 512, height = 288; ///< of a figure
-    double rotation = 0.0;         ///< of the environment, degrees
-    bool quick = false;            ///< without references
-    double noise = 0.02;           ///< of references,
-    int samples = 48;              ///< or this
-    bool cache = true;             ///< of environments
+    std::string output;                   ///< folder
+    int width = 512, height = 288;        ///< of a figure
+    double rotation = 0.0;                ///< of the environment, degrees
+    bool quick = false;                   ///< without references
+    double noise = 0.02;                  ///< of references,
+    int samples = 48;                     ///< or this
+    bool cache = true;                    ///< of environments
+    Backend backend = Backend::automatic; ///< not a device: figures are the processor's
 };
 
 /// What a viewer shows at first.
 struct StartArguments {
     RenderArguments picture; ///< as `render` understands the words; without an output
-
-    /// The options with one word that were given: names without dashes, and words. And those of --light.
-    std::vector<std::pair<std::string, std::string>> words;
-    std::vector<std::string> lights;
+    Given given;             ///< the words
 };
 
 struct ViewArguments {
     StartArguments start;
+    std::vector<std::string> words; ///< the whole command line
 };
 
 struct ServeArguments {
@@ -157,6 +162,7 @@ struct PrintText {
     std::string text;
 };
 
+/// What any command line asks for.
 using Arguments =
     std::variant<PrintText, RenderArguments, BakeArguments, ReferenceArguments, CompareArguments,
                  ReportArguments, ViewArguments, ServeArguments, EnvArguments, InfoArguments>;

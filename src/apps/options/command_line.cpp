@@ -135,48 +135,39 @@ std::string first_line(const std::string& message)
 Command Command::add_subcommand(const std::string& name, const std::string& help)
 {
     CLI::App* const command = app_->add_subcommand(name, help);
-    command->get_help_ptr()->group(everywhere)->description("Print this help");
+    command->get_help_ptr()->group("Everywhere")->description("Print this help");
     return Command(*command);
 }
 
-Command Command::under(const std::string& heading) const
+void Command::add(const Option& option, std::string_view heading, Given& given)
 {
-    Command same = *this;
-    same.heading_ = heading;
-    return same;
-}
-
-void Command::add_required(const std::string& name, std::string& word, const std::string& kind,
-                           const std::string& help)
-{
-    app_->add_option(name, word, help)->type_name(kind)->required()->group(heading_);
-}
-
-void Command::add_option(const std::string& name, std::string& word, const std::string& kind,
-                         const std::string& help)
-{
-    const auto not_empty = [](const std::string& given) { return given.empty() ? "nothing given" : ""; };
-    app_->add_option(name, word, help)
-        ->type_name(kind)
-        ->group(heading_)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
-        ->check(not_empty);
-}
-
-void Command::add_repeated(const std::string& name, std::vector<std::string>& words, const std::string& kind,
-                           const std::string& help)
-{
-    app_->add_option(name, words, help)
-        ->type_name(kind)
-        ->group(heading_)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-        ->expected(1)
-        ->allow_extra_args(false);
-}
-
-void Command::add_flag(const std::string& name, bool& flag, const std::string& help)
-{
-    app_->add_flag(name, flag, help)->group(heading_);
+    const std::string name = option.form == Form::positional ? std::string(option.name)
+                             : option.letter != 0            ? text("-", option.letter, ",", dashed(option))
+                                                             : dashed(option);
+    const auto take = [&](const std::vector<std::string>& words) {
+        for (const std::string& word : words)
+            if (!word.empty() || option.form == Form::repeated)
+                given.add(option.name, word);
+    };
+    CLI::Option* const added =
+        option.domain.kind == Domain::Kind::flag ? app_->add_flag_callback(
+                                                       name, [take] { take({"yes"}); }, help_of(option))
+        : option.form == Form::repeated
+            ? app_->add_option_function<std::vector<std::string>>(name, take, help_of(option))
+            : app_->add_option_function<std::string>(
+                  name, [take](const std::string& word) { take({word}); }, help_of(option));
+    added->group(std::string(heading));
+    if (option.domain.kind == Domain::Kind::flag)
+        return;
+    added->type_name(std::string(option.word));
+    if (option.form == Form::repeated)
+        added->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)->expected(1)->allow_extra_args(false);
+    else if (option.form == Form::required || option.form == Form::positional)
+        added->required();
+    else
+        added->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)->check([](const std::string& word) {
+            return word.empty() ? "nothing given" : "";
+        });
 }
 
 bool Command::parsed() const

@@ -1,9 +1,13 @@
 // The command line's commands and options by name. CLI11 stays behind this header: the compiler takes seconds over it.
 #pragma once
 
+#include "apps/options/given.h"
+#include "apps/options/option.h"
+
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace CLI {
@@ -12,41 +16,22 @@ class App;
 
 namespace lambent::cli {
 
-/// The heading of the options that all commands have.
-inline constexpr const char* everywhere = "Everywhere";
-
-/// A command while its options are named; the program is one, too. A handle: copies name the same command. The words
-/// that options fill must outlive the parsing.
+/// A command while its options are named; the program is one, too. A handle: copies name the same command.
 class Command {
 public:
-    Command() = default;
     explicit Command(CLI::App& app) : app_(&app) {}
 
     Command add_subcommand(const std::string& name, const std::string& help);
 
-    /// The same command; what is added through this handle stands under a heading of its own in the help.
-    Command under(const std::string& heading) const;
-
-    /// Must be given: an option ("-o,--output"), or what stands by itself ("scene"). The help names its `kind`.
-    void add_required(const std::string& name, std::string& word, const std::string& kind,
-                      const std::string& help);
-
-    /// May be given, with one word, of which the last counts and which is not empty.
-    void add_option(const std::string& name, std::string& word, const std::string& kind,
-                    const std::string& help);
-
-    /// May be given any number of times, with one word each.
-    void add_repeated(const std::string& name, std::vector<std::string>& words, const std::string& kind,
-                      const std::string& help);
-
-    void add_flag(const std::string& name, bool& flag, const std::string& help);
+    /// Under a heading of the help. The parsing adds its words to `given`, which must outlive it: of what may be given the
+    /// last, which is not empty.
+    void add(const Option& option, std::string_view heading, Given& given);
 
     /// After parsing: whether it is the command that was given.
     bool parsed() const;
 
 private:
-    CLI::App* app_ = nullptr;
-    std::string heading_ = "Options";
+    CLI::App* app_;
 };
 
 /// What the program says of itself.

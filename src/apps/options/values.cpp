@@ -37,11 +37,97 @@ void check_not_negative(const glm::vec3& color, const std::string& word, const s
         refuse(option, word, "a colour: a part is negative");
 }
 
+// Of the fewest digits, at least six, that are read as the value again.
+template <class Same>
+std::string shortest(double value, Same is_same)
+{
+    std::string word;
+    for (int digits = 6; digits <= 17; ++digits) {
+        word = word_of_digits(value, digits);
+        double read = 0.0;
+        std::from_chars(word.data(), word.data() + word.size(), read);
+        if (is_same(read))
+            break;
+    }
+    return word;
+}
+
 } // namespace
 
 float radians(double degrees)
 {
     return static_cast<float>(degrees * std::numbers::pi / 180.0);
+}
+
+float turned(double degrees)
+{
+    return radians(std::remainder(degrees, 360.0));
+}
+
+std::string word_of_digits(double value, int digits)
+{
+    char word[32];
+    const auto end = std::to_chars(word, word + sizeof word, value, std::chars_format::general, digits).ptr;
+    const std::string written(word, end);
+    return written == "-0" ? "0" : written;
+}
+
+std::string number_word(double value)
+{
+    return word_of_digits(value, 6);
+}
+
+std::string exact_word(double value)
+{
+    return shortest(value, [&](double read) { return read == value; });
+}
+
+std::string exact_word(float value)
+{
+    return shortest(static_cast<double>(value),
+                    [&](double read) { return static_cast<float>(read) == value; });
+}
+
+std::string degrees_word(float value)
+{
+    const double degrees = static_cast<double>(value) * 180.0 / std::numbers::pi;
+    return shortest(degrees, [&](double read) { return turned(read) == value; });
+}
+
+std::string value_word(const glm::vec3& color)
+{
+    return text(exact_word(color.r), ",", exact_word(color.g), ",", exact_word(color.b));
+}
+
+std::string value_word(const glm::dvec3& point)
+{
+    return text(exact_word(point.x), ",", exact_word(point.y), ",", exact_word(point.z));
+}
+
+std::string value_word(const view::Orbit& orbit)
+{
+    const std::string angles = text(degrees_word(orbit.azimuth), ",", degrees_word(orbit.elevation));
+    return orbit.distance > 0.0f ? text(angles, ",", exact_word(orbit.distance)) : angles;
+}
+
+std::string value_word(const draw::Background& background)
+{
+    using Kind = draw::Background::Kind;
+    switch (background.kind) {
+    case Kind::environment:
+        return "env";
+    case Kind::none:
+        return "none";
+    case Kind::blurred:
+        return text("blur:", exact_word(background.roughness));
+    default:
+        return value_word(background.color);
+    }
+}
+
+std::string size_word(Size size)
+{
+    return text(size.width, "x", size.height);
 }
 
 double parse_number(const std::string& word, const std::string& option)
@@ -109,7 +195,7 @@ view::Orbit parse_orbit(const std::string& word, const std::string& option)
         refuse(option, word, "a camera: the elevation must be from -90 to 90 degrees");
     if (numbers.size() == 3 && numbers[2] <= 0.0)
         refuse(option, word, "a camera: the distance must be above 0");
-    return {radians(std::remainder(numbers[0], 360.0)), radians(numbers[1]),
+    return {turned(numbers[0]), radians(numbers[1]),
             numbers.size() == 3 ? static_cast<float>(numbers[2]) : 0.0f};
 }
 
@@ -145,8 +231,7 @@ scene::Light parse_light(const std::string& word, const std::string& option)
     scene::Light light;
     if (kind == "directional") {
         const std::vector<double> numbers = parse_list(rest, {5, 5}, option);
-        const float azimuth = radians(std::remainder(numbers[0], 360.0));
-        const float elevation = radians(std::remainder(numbers[1], 360.0));
+        const float azimuth = turned(numbers[0]), elevation = turned(numbers[1]);
         light.kind = scene::LightKind::directional;
         light.direction = -glm::vec3(std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
                                      std::cos(elevation) * std::cos(azimuth));

@@ -48,4 +48,23 @@ glm::dvec3 light_place(const std::string& word, const std::string& option);
 
 float radians(double degrees);
 
+/// The same angle from -180 to 180 degrees, in radians.
+float turned(double degrees);
+
+/// A number as a word of at most six digits.
+std::string number_word(double value);
+
+/// The shortest words, of six digits at least, from which the same values are read again.
+std::string exact_word(double value);
+std::string exact_word(float value);
+std::string degrees_word(float value); ///< of radians
+std::string value_word(const glm::vec3& color);
+std::string value_word(const glm::dvec3& point);
+std::string value_word(const view::Orbit& orbit);
+std::string value_word(const draw::Background& background);
+std::string size_word(Size size);
+
+/// A number of so many digits.
+std::string word_of_digits(double value, int digits);
+
 } // namespace lambent::cli

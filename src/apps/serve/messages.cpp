@@ -70,11 +70,6 @@ struct Said {
     void change(const viewer::Session::Change& change) const { session.change(id, change); }
 };
 
-double number_of(const viewer::Values& values, std::string_view name)
-{
-    return std::stod(values[name]);
-}
-
 using Action = std::function<void(const Said&)>;
 
 const std::map<std::string, Action, std::less<>>& actions()
@@ -90,7 +85,7 @@ const std::map<std::string, Action, std::less<>>& actions()
          [](const Said& s) {
              const double x = s.number("x"), y = s.number("y");
              s.change([&](Wish& wish, const World& world) {
-                 wish.eye.pan(world, x, y, number_of(wish.values, "fov"));
+                 wish.eye.pan(world, x, y, viewer::number_in(wish.asked, "fov"));
              });
          }},
         {"dolly",
@@ -106,7 +101,7 @@ const std::map<std::string, Action, std::less<>>& actions()
         {"set",
          [](const Said& s) {
              const std::string name = s.word("name"), value = s.value();
-             s.change([&](Wish& wish, const World&) { wish.values.set(name, value); });
+             s.change([&](Wish& wish, const World&) { viewer::set_value(wish.asked, name, value); });
          }},
         {"lights",
          [](const Said& s) {

@@ -8,17 +8,16 @@
 #include <array>
 #include <cstdio>
 #include <optional>
-#include <sstream>
 
 namespace lambent::view_window {
 namespace {
 
-using viewer::Eye, viewer::Kind, viewer::Parameter, viewer::Session, viewer::Wish;
+using viewer::Eye, viewer::Parameter, viewer::Session, viewer::Wish;
 
 // A value that a control was moved to.
 using Moved = std::optional<std::string>;
 
-Moved number(const Parameter& row, const std::string& label, const std::string& word)
+Moved number(const cli::Control& row, const std::string& label, const std::string& word)
 {
     float value = word.empty() ? static_cast<float>(row.least) : std::stof(word);
     const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp |
@@ -29,7 +28,7 @@ Moved number(const Parameter& row, const std::string& label, const std::string& 
     return viewer::number_word(static_cast<double>(value));
 }
 
-Moved whole(const Parameter& row, const std::string& label, const std::string& word)
+Moved whole(const cli::Control& row, const std::string& label, const std::string& word)
 {
     int value = word.empty() ? static_cast<int>(row.least) : std::stoi(word);
     const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp |
@@ -45,8 +44,7 @@ Moved choice(const Parameter& row, const std::string& label, const std::string& 
     Moved moved;
     if (!ImGui::BeginCombo(label.c_str(), word.c_str()))
         return moved;
-    std::istringstream words{std::string(row.choices)};
-    for (std::string one; words >> one;)
+    for (const std::string& one : viewer::choices_of(row))
         if (ImGui::Selectable(one.c_str(), one == word))
             moved = one;
     ImGui::EndCombo();
@@ -72,23 +70,24 @@ Moved color(const std::string& label, const std::string& word)
 // Takes a value away from a row that need not have one.
 Moved unset(const Parameter& row, const std::string& word)
 {
-    if (!row.may_be_empty() || word.empty())
+    if (!row.option.usual.empty() || word.empty())
         return std::nullopt;
     ImGui::SameLine();
-    if (!ImGui::SmallButton(text("x##", row.name).c_str()))
+    if (!ImGui::SmallButton(text("x##", row.option.name).c_str()))
         return std::nullopt;
     return std::string();
 }
 
 Moved control(const Parameter& row, const std::string& word)
 {
-    const std::string label = text(row.label, "##", row.name);
-    switch (row.kind) {
-    case Kind::number:
-        return number(row, label, word);
-    case Kind::whole:
-        return whole(row, label, word);
-    case Kind::choice:
+    const cli::Control& how = row.option.control;
+    const std::string label = text(how.label, "##", row.option.name);
+    switch (viewer::kind_of(row)) {
+    case viewer::Kind::number:
+        return number(how, label, word);
+    case viewer::Kind::whole:
+        return whole(how, label, word);
+    case viewer::Kind::choice:
         return choice(row, label, word);
     default:
         return color(label, word);
@@ -97,28 +96,31 @@ Moved control(const Parameter& row, const std::string& word)
 
 void set(Session& session, const Parameter& row, const std::string& word)
 {
-    session.change(0, [&](Wish& wish, const Eye::World&) { wish.values.set(row.name, word); });
+    session.change(
+        0, [&](Wish& wish, const Eye::World&) { viewer::set_value(wish.asked, row.option.name, word); });
 }
 
 } // namespace
 
-void show_controls(Session& session, const viewer::Values& values, bool built_in)
+void show_controls(Session& session, const cli::RenderArguments& asked)
 {
     std::string_view group;
     bool open = false;
-    for (const Parameter& row : viewer::parameters()) {
-        if (row.group != group) {
-            group = row.group;
+    for (const Parameter* const parameter : viewer::parameters()) {
+        const Parameter& row = *parameter;
+        if (row.option.control.group != group) {
+            group = row.option.control.group;
             open = ImGui::CollapsingHeader(std::string(group).c_str(), ImGuiTreeNodeFlags_DefaultOpen);
         }
-        if (!open || !values.applies(row, built_in))
+        if (!open || !cli::applies(row.option.needs, asked))
             continue;
-        Moved moved = control(row, values[row.name]);
+        const std::string word = row.value.get(asked, row.option);
+        Moved moved = control(row, word);
         if (ImGui::IsItemClicked(ImGuiMouseButton_Right))
-            moved = std::string(row.usual);
+            moved = std::string(row.option.usual);
         if (moved)
             set(session, row, *moved);
-        else if (const Moved nothing = unset(row, values[row.name]))
+        else if (const Moved nothing = unset(row, word))
             set(session, row, *nothing);
     }
 }

@@ -6,8 +6,7 @@
 
 namespace lambent::view_window {
 
-/// A control for each row of the table, under the names of its groups. What is moved is set at once; a right click sets the default. `built_in`: whether
-/// the scene is one of the built-in shapes. Throws Error(usage) where a value is refused.
-void show_controls(viewer::Session& session, const viewer::Values& values, bool built_in);
+/// A control for each row of the table, under the names of its groups. What is moved is set at once; a right click sets the default. Throws Error(usage) where a value is refused.
+void show_controls(viewer::Session& session, const cli::RenderArguments& asked);
 
 } // namespace lambent::view_window

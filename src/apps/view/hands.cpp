@@ -19,7 +19,7 @@ constexpr double key_degrees = 5.0, key_dolly = 0.1, key_pan = 0.05, wheel_dolly
 
 double field_of_view(const Wish& wish)
 {
-    return std::stod(wish.values["fov"]);
+    return viewer::number_in(wish.asked, "fov");
 }
 
 void orbit(Session& session, double x, double y)
@@ -46,9 +46,7 @@ void turn(Session& session, double degrees)
 void expose(Session& session, double factor)
 {
     session.change(0, [&](Wish& wish, const Eye::World&) {
-        const double exposure = std::stod(wish.values["exposure"]) * factor;
-        wish.values.set("exposure", viewer::number_word(
-                                        std::clamp(exposure, viewer::least_exposure, viewer::most_exposure)));
+        viewer::set_nearest(wish.asked, "exposure", viewer::number_in(wish.asked, "exposure") * factor);
     });
 }
 

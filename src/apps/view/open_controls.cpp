@@ -84,8 +84,8 @@ std::optional<Opening> OpenControls::show(const viewer::Wish& wish)
             opening = {name, is_environment};
         ImGui::EndCombo();
     };
-    combo("Model", wish.scene, false);
-    combo("Light around", wish.environment, true);
+    combo("Model", wish.asked.scene, false);
+    combo("Light around", wish.asked.environment, true);
     const bool entered = ImGui::InputTextWithHint("##path", "path of a file", typed_.data(), typed_.size(),
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::SameLine();

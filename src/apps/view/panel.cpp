@@ -5,7 +5,6 @@
 #include "apps/view/hands.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "scene/builtin/builtin.h"
 
 #include <imgui.h>
 
@@ -166,8 +165,8 @@ Pressed Panels::show_panel(viewer::Session& session, const Shown& shown)
             for (const std::string& warning : shown.warnings)
                 wrapped(text("Warning: ", warning), yellow);
             show_animation(session);
-            lights_.show(session, wish.lights);
-            show_controls(session, wish.values, scene::is_builtin(wish.scene));
+            lights_.show(session, wish.asked.light_words);
+            show_controls(session, wish.asked);
         } catch (const Error& error) {
             pressed.refusal = error.what();
         }

@@ -38,7 +38,7 @@ std::string title_of(const std::string& scene)
 } // namespace
 
 View::View(viewer::Wish start, const Memory& memory, viewer::FileList files, viewer::Stock& stock)
-    : window_(title_of(start.scene), memory.place), desk_(stock), screen_(std::make_shared<Screen>()),
+    : window_(title_of(start.asked.scene), memory.place), desk_(stock), screen_(std::make_shared<Screen>()),
       panels_(std::move(files), memory.panel)
 {
     const Window::Pixels pixels = window_.pixels();
@@ -175,7 +175,7 @@ void View::take_state(const std::string& words)
     shown_.loading = state.value("loading", false);
     shown_.error = state.value("error", "");
     shown_.warnings = state.value("warnings", std::vector<std::string>());
-    window_.set_title(title_of(session_->wish().scene));
+    window_.set_title(title_of(session_->wish().asked.scene));
 }
 
 void View::write(const viewer::Saved& saved)
@@ -199,10 +199,11 @@ void View::give_up_saving(const std::string& why)
 void View::follow_size()
 {
     const Window::Pixels pixels = window_.pixels();
-    const viewer::Wish now = session_->wish();
-    viewer::Wish wanted = now;
+    viewer::Wish wanted = session_->wish();
+    const cli::RenderArguments now = wanted.asked;
     viewer::set_size(wanted, pixels.width, pixels.height);
-    if (pixels.width < 1 || (wanted.width == now.width && wanted.height == now.height))
+    const draw::Settings& settings = wanted.asked.settings;
+    if (pixels.width < 1 || (settings.width == now.settings.width && settings.height == now.settings.height))
         return; // also while it is an icon
     session_->change(0, [&](viewer::Wish& wish, const viewer::Eye::World&) {
         viewer::set_size(wish, pixels.width, pixels.height);

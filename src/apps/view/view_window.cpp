@@ -7,7 +7,6 @@
 #include "apps/view/view.h"
 #include "apps/viewer/load_first.h"
 
-#include <algorithm>
 #include <vector>
 
 namespace lambent::view_window {
@@ -20,12 +19,6 @@ Memory remembered(const cli::Console& console)
     if (!complaint.empty())
         console.warn({complaint});
     return memory;
-}
-
-bool has_size(const cli::StartArguments& start)
-{
-    return std::any_of(start.words.begin(), start.words.end(),
-                       [](const auto& option) { return option.first == "size"; });
 }
 
 std::vector<std::filesystem::path> folders(const cli::RenderArguments& picture)
@@ -45,7 +38,8 @@ void run(const cli::ViewArguments& arguments)
     const cli::Console console(picture.common.verbosity);
     const Memory before = remembered(console);
     Memory memory = before;
-    if (has_size(arguments.start))
+    const bool has_size = arguments.start.given("size");
+    if (has_size)
         memory.place = {picture.settings.width, picture.settings.height, before.place.corner, false};
     viewer::Stock stock({picture.cache,
                          picture.backend,
@@ -57,7 +51,7 @@ void run(const cli::ViewArguments& arguments)
     const cli::Interrupt interrupt;
     View view(start, memory, viewer::FileList(folders(picture)), stock);
     memory = view.run([&] { return interrupt.asked(); });
-    if (has_size(arguments.start)) // a size for once
+    if (has_size) // a size for once
         memory.place = before.place;
     keep_memory(memory);
 }

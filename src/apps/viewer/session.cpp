@@ -57,7 +57,6 @@ void Session::change(std::uint64_t input, const Change& change)
     const std::lock_guard lock(mutex_);
     Wish changed = wish_;
     change(changed, world());
-    arguments_of(changed); // throws where the command would be refused
     wish_ = std::move(changed);
     error_.clear();
     touch(input);
@@ -67,14 +66,14 @@ void Session::reset(std::uint64_t input)
 {
     const std::lock_guard lock(mutex_);
     const Wish old = std::exchange(wish_, start_);
-    wish_.scene = old.scene;
-    wish_.environment = old.environment;
-    wish_.width = old.width;
-    wish_.height = old.height;
+    wish_.asked.scene = old.asked.scene;
+    wish_.asked.environment = old.asked.environment;
+    wish_.asked.settings.width = old.asked.settings.width;
+    wish_.asked.settings.height = old.asked.settings.height;
     play_from(std::nullopt);
-    if (wish_.scene != start_.scene) {
-        wish_.eye = first_eye(wish_.scene);
-        wish_.animation.clear();
+    if (wish_.asked.scene != start_.asked.scene) {
+        wish_.eye = first_eye(wish_.asked.scene);
+        wish_.asked.animation.clear();
     }
     forget_lost_animation();
     error_.clear();
@@ -109,7 +108,7 @@ void Session::play(std::uint64_t input, bool on)
     touch(input);
     if (!on || !model_ || model_->scene().animations.empty())
         return;
-    if (wish_.animation.empty())
+    if (wish_.asked.animation.empty())
         viewer::animate(wish_, model_->scene().animations, 0);
     play_from(Clock::now());
 }
@@ -123,9 +122,9 @@ void Session::play_from(const std::optional<Clock::time_point>& now)
 // A file that was loaded again may have others.
 void Session::forget_lost_animation()
 {
-    if (!model_ || wish_.animation.empty() || animation_of(wish_, model_->scene().animations) >= 0)
+    if (!model_ || wish_.asked.animation.empty() || animation_of(wish_, model_->scene().animations) >= 0)
         return;
-    wish_.animation.clear();
+    wish_.asked.animation.clear();
     play_from(std::nullopt);
 }
 
@@ -251,17 +250,17 @@ std::string Session::state_now() const
 {
     const Playing playing = playing_now();
     nlohmann::ordered_json state = {{"type", "state"},
-                                    {"scene", wish_.scene},
-                                    {"environment", wish_.environment},
-                                    {"values", to_json(wish_.values)},
-                                    {"lights", wish_.lights},
+                                    {"scene", wish_.asked.scene},
+                                    {"environment", wish_.asked.environment},
+                                    {"values", to_json(wish_.asked)},
+                                    {"lights", wish_.asked.light_words},
                                     {"command", command_of(wish_, "picture.png")},
                                     {"animation", playing.number},
                                     {"seconds", playing.now.seconds},
                                     {"moment", playing.moment},
                                     {"playing", playing.on},
-                                    {"width", wish_.width},
-                                    {"height", wish_.height},
+                                    {"width", wish_.asked.settings.width},
+                                    {"height", wish_.asked.settings.height},
                                     {"loading", pending_ || !opening_.name.empty()},
                                     {"error", !error_.empty() ? error_ : file_error_}};
     state["animations"] = nlohmann::ordered_json::array();

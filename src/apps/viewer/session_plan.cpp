@@ -31,7 +31,7 @@ bool Session::find_things(const Wish& wish)
 {
     const cli::RenderArguments arguments = arguments_of(wish);
     const Found<Model> model = stock_.model(arguments);
-    const Found<const cli::LoadedEnvironment> environment = stock_.environment(wish.environment);
+    const Found<const cli::LoadedEnvironment> environment = stock_.environment(wish.asked.environment);
     pending_ = model.pending || environment.pending;
     const std::string error = !model.error.empty() ? model.error : environment.error;
     announce_ = announce_ || error != file_error_;
@@ -54,7 +54,7 @@ bool Session::find_things(const Wish& wish)
 
 bool Session::is_compared() const
 {
-    const std::string& layer = wish_.values["layer"];
+    const std::string& layer = wish_.asked.shown;
     return layer == "reference" || layer == "error";
 }
 
@@ -65,13 +65,12 @@ bool Session::find_trace()
         return false;
     if (trace_)
         return true;
-    const Found<const RawEnvironment> raw = stock_.raw_environment(wish_.environment);
+    const Found<const RawEnvironment> raw = stock_.raw_environment(wish_.asked.environment);
     if (!raw.value || raw.pending || drawn_.values.empty())
         return false; // it is being loaded, maybe again, or the environment's error has been said already
     TraceTask task;
     task.arguments = planned(Plan::Task::rest).arguments;
-    task.bounces = std::stoi(wish_.values["bounces"]);
-    task.shows_error = wish_.values["layer"] == "error";
+    task.shows_error = wish_.asked.shown == "error";
     task.model = model_;
     task.environment = raw.value;
     trace_ = std::make_shared<Trace>(std::move(task), std::exchange(drawn_, {}));
@@ -83,10 +82,10 @@ void Session::look_for_opening()
     if (opening_.name.empty())
         return;
     Wish wish = wish_;
-    (opening_.is_scene ? wish.scene : wish.environment) = opening_.name;
+    (opening_.is_scene ? wish.asked.scene : wish.asked.environment) = opening_.name;
     if (opening_.is_scene) {
-        wish.eye = first_eye(wish.scene);
-        wish.animation.clear();
+        wish.eye = first_eye(wish.asked.scene);
+        wish.asked.animation.clear();
     }
     bool pending = false, there = false;
     std::string error;
@@ -99,7 +98,7 @@ void Session::look_for_opening()
         if (opening_.is_scene)
             look(stock_.model(arguments_of(wish)));
         else
-            look(stock_.environment(wish.environment));
+            look(stock_.environment(wish.asked.environment));
     } catch (const Error& problem) {
         error = problem.what();
     }
@@ -143,7 +142,7 @@ std::optional<Plan::Task> Session::long_task_now(Clock::time_point now, Clock::t
         wake = std::min(wake, last_input_ + settle);
         return std::nullopt;
     }
-    const int samples = std::stoi(wish_.values["samples"]);
+    const int samples = wish_.asked.settings.samples;
     return still_ != serial_ && samples > many_samples ? Plan::Task::still : Plan::Task::rest;
 }
 
@@ -178,12 +177,12 @@ Plan Session::planned(Plan::Task task)
     Plan plan;
     plan.task = task;
     plan.arguments = arguments_of(wish_);
-    plan.layer = wish_.values["layer"];
+    plan.layer = wish_.asked.shown;
     plan.model = model_;
     plan.environment = environment_;
     plan.moment = wish_.moment;
-    plan.width = wish_.width;
-    plan.height = wish_.height;
+    plan.width = wish_.asked.settings.width;
+    plan.height = wish_.asked.settings.height;
     plan.serial = serial_;
     plan.input = input_;
     const glm::dvec3& origin = model_->scene().origin;

@@ -33,7 +33,6 @@ bool Trace::advance(const reference::GoOn& go_on)
     if (!tracing_) {
         cli::ReferenceArguments reference;
         reference.picture = task_.arguments;
-        reference.bounces = task_.bounces;
         task_.model->pose(task_.arguments);
         scene_ = task_.model->whole_scene();
         reference::Settings settings = cli::reference_settings(reference, *scene_);

@@ -13,7 +13,6 @@ namespace lambent::viewer {
 /// What is compared, and how it is shown.
 struct TraceTask {
     cli::RenderArguments arguments; ///< of the drawn picture, with its camera
-    int bounces = 8;                ///< as `lambent reference`'s
     bool shows_error = false;       ///< FLIP, pixel by pixel, instead of the reference
     std::shared_ptr<Model> model;
     std::shared_ptr<const RawEnvironment> environment;

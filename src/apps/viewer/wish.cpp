@@ -1,11 +1,11 @@
 #include "apps/viewer/wish.h"
 
 #include "apps/common/picture_setup.h"
+#include "apps/options/rules.h"
 #include "apps/options/values.h"
 #include "base/error.h"
 #include "base/shell.h"
 #include "base/text.h"
-#include "scene/builtin/builtin.h"
 
 #include <glm/geometric.hpp>
 
@@ -13,7 +13,6 @@
 #include <cctype>
 #include <cmath>
 #include <numbers>
-#include <variant>
 
 namespace lambent::viewer {
 namespace {
@@ -35,13 +34,46 @@ Eye eye_of(const std::string& word, const std::optional<glm::dvec3>& target)
     return {numbers[0], numbers[1], numbers[2], target};
 }
 
-void set_option(Values& values, const std::string& name, const std::string& word)
+// Within what its control can be set to, and in as many digits.
+void set_option(cli::RenderArguments& asked, const Parameter& row, const std::string& word)
 {
+    const cli::Option& option = row.option;
+    row.value.set(asked, option, word);
+    if (option.control.label.empty())
+        return;
     try {
-        values.set(name, word);
+        set_value(asked, option.name, row.value.get(asked, option));
     } catch (const Error& error) {
         throw Error(Failure::usage, text("--", error.what())); // it begins with the name
     }
+}
+
+// The command's options behind those of the camera.
+std::vector<cli::OptionWord> words_behind_camera(const cli::RenderArguments& arguments)
+{
+    std::vector<cli::OptionWord> words = cli::words_of(arguments, cli::command::render);
+    std::erase_if(words, [](const cli::OptionWord& word) { return word.option->place == 0; });
+    std::ranges::stable_sort(words, {}, [](const cli::OptionWord& word) { return word.option->place; });
+    return words;
+}
+
+// Without what says nothing of this scene and model, but with the camera.
+cli::RenderArguments effective(const Wish& wish)
+{
+    cli::RenderArguments arguments = wish.asked;
+    arguments.scene = as_file(arguments.scene);
+    arguments.environment = as_file(arguments.environment);
+    if (!arguments.animation.empty())
+        arguments.moment = std::stod(number_word(wish.moment));
+    cli::for_each_row<cli::RenderArguments>(cli::command::render, [&](const Parameter& row) {
+        if (!cli::applies(row.option.needs, arguments))
+            row.value.set(arguments, row.option, "");
+    });
+    const std::vector<std::string> eye = wish.eye.options();
+    arguments.orbit = cli::parse_orbit(eye.at(1), eye.at(0));
+    if (eye.size() > 2)
+        arguments.target = cli::parse_point(eye.at(3), eye.at(2));
+    return arguments;
 }
 
 } // namespace
@@ -52,40 +84,37 @@ Eye first_eye(const std::string& scene)
     return {static_cast<double>(orbit.azimuth) * degrees, static_cast<double>(orbit.elevation) * degrees};
 }
 
+Wish plain_wish(const std::string& scene, const std::string& environment)
+{
+    Wish wish{{}, first_eye(scene)};
+    wish.asked.scene = scene;
+    wish.asked.environment = environment;
+    return wish;
+}
+
 Wish first_wish(const cli::StartArguments& start)
 {
     const cli::RenderArguments& picture = start.picture;
-    Wish wish{picture.scene, picture.environment, {}, first_eye(picture.scene), {}};
-    if (start.lights.size() > most_lights)
+    Wish wish = plain_wish(picture.scene, picture.environment);
+    if (picture.light_words.size() > most_lights)
         throw Error(Failure::usage,
-                    text("--light: ", start.lights.size(), " are more than a viewer's ", most_lights));
-    set_lights(wish, start.lights);
+                    text("--light: ", picture.light_words.size(), " are more than a viewer's ", most_lights));
     set_size(wish, picture.settings.width, picture.settings.height);
-    for (const auto& [name, word] : start.words) {
-        if (name == "camera")
-            wish.eye = eye_of(word, picture.target);
-        else if (name == "backend")
-            wish.fixed.insert(wish.fixed.end(), {"--backend", word});
-        else if (name == "density")
-            wish.density = word;
-        else if (name == "animation" || name == "moment")
-            continue; // load_first knows which there are
-        else if (name == "env-rotation")
-            turn_environment(wish, cli::parse_number(word, name));
-        else if (name != "size" && name != "target")
-            set_option(wish.values, name, word);
-    }
-    if (!picture.settings.energy_compensation)
-        wish.fixed.emplace_back("--no-energy-compensation");
-    if (picture.display.dither)
-        wish.fixed.emplace_back("--dither");
+    if (start.given("camera"))
+        wish.eye = eye_of(start.given.words("camera").back(), picture.target);
+    cli::for_each_row<cli::RenderArguments>(cli::command::render, [&](const Parameter& row) {
+        // load_first knows which animations there are.
+        if (row.option.place > 0 && row.option.needs != cli::Needs::file)
+            for (const std::string& word : start.given.words(row.option.name))
+                set_option(wish.asked, row, word);
+    });
     return wish;
 }
 
 void look_through(Wish& wish, const scene::Scene& scene, const std::string& camera)
 {
     cli::RenderArguments asked;
-    asked.scene = wish.scene;
+    asked.scene = wish.asked.scene;
     asked.camera_node = camera;
     const view::Camera found = cli::choose_camera(asked, scene);
     const glm::dvec3 back(found.back), position(found.position);
@@ -93,13 +122,14 @@ void look_through(Wish& wish, const scene::Scene& scene, const std::string& came
     const double far_enough = 1e-3 * radius_of(bounds);
     double distance = std::max(glm::dot(position - middle_of(bounds), back), far_enough);
     // What the camera is to show at least is seen where the picture is narrower, too.
-    const double wider = std::max(static_cast<double>(found.aspect) * wish.height / wish.width, 1.0);
+    const double wider = std::max(
+        static_cast<double>(found.aspect) * wish.asked.settings.height / wish.asked.settings.width, 1.0);
     if (found.vertical_fov > 0.0f) {
         const double half = wider * std::tan(0.5 * static_cast<double>(found.vertical_fov));
         const double fov = 2.0 * std::atan(half) * degrees;
-        wish.values.set("fov", number_word(std::clamp(fov, least_fov, most_fov)));
+        set_nearest(wish.asked, "fov", fov);
     } else {
-        const double fov = std::stod(wish.values["fov"]) / degrees;
+        const double fov = number_in(wish.asked, "fov") / degrees;
         distance = 0.5 * wider * static_cast<double>(found.vertical_size) / std::tan(0.5 * fov);
     }
     wish.eye = {std::atan2(back.x, back.z) * degrees, std::asin(std::clamp(back.y, -1.0, 1.0)) * degrees,
@@ -112,7 +142,13 @@ void set_lights(Wish& wish, const std::vector<std::string>& lights)
         throw Error(Failure::usage, text("lights: ", lights.size(), " are more than ", most_lights));
     for (const std::string& light : lights)
         cli::parse_light(light, "light");
-    wish.lights = lights;
+    cli::Given given;
+    for (const std::string& light : lights)
+        given.add("light", light);
+    wish.asked.settings.lights.clear();
+    wish.asked.light_places.clear();
+    wish.asked.light_words.clear();
+    cli::take(given, cli::command::render, wish.asked);
 }
 
 void animate(Wish& wish, const std::vector<scene::AnimationInfo>& animations, double number)
@@ -120,7 +156,7 @@ void animate(Wish& wish, const std::vector<scene::AnimationInfo>& animations, do
     if (!(number < static_cast<double>(animations.size())) || (number >= 0.0 && number != std::floor(number)))
         throw Error(Failure::usage, text("there is no animation ", number));
     wish.moment = 0.0;
-    wish.animation.clear();
+    wish.asked.animation.clear();
     if (number < 0.0)
         return;
     // By its name, unless that cannot be typed, or is another's name or number, too.
@@ -128,15 +164,15 @@ void animate(Wish& wish, const std::vector<scene::AnimationInfo>& animations, do
     const std::string& name = animations[index].name;
     if (std::none_of(name.begin(), name.end(),
                      [](char c) { return std::iscntrl(static_cast<unsigned char>(c)); }))
-        wish.animation = name;
+        wish.asked.animation = name;
     if (animation_of(wish, animations) != static_cast<int>(index))
-        wish.animation = text(index);
+        wish.asked.animation = text(index);
 }
 
 int animation_of(const Wish& wish, const std::vector<scene::AnimationInfo>& animations)
 {
     cli::RenderArguments arguments;
-    arguments.animation = wish.animation;
+    arguments.animation = wish.asked.animation;
     try {
         const std::optional<scene::Moment> moment = cli::moment_asked(arguments, animations);
         return moment ? moment->animation : -1;
@@ -147,9 +183,9 @@ int animation_of(const Wish& wish, const std::vector<scene::AnimationInfo>& anim
 
 void turn_environment(Wish& wish, double degrees)
 {
-    const double before = std::stod(wish.values["env-rotation"]);
+    const double before = number_in(wish.asked, "env-rotation");
     const double turned = std::remainder(before + std::fmod(degrees, 360.0), 360.0);
-    wish.values.set("env-rotation", number_word(turned));
+    set_value(wish.asked, "env-rotation", number_word(turned));
 }
 
 void set_size(Wish& wish, double width, double height)
@@ -159,30 +195,26 @@ void set_size(Wish& wish, double width, double height)
     };
     const double w = side(width), h = side(height);
     const double shrink = std::min(1.0, std::sqrt(most_pixels / (w * h)));
-    wish.width = std::max(16, static_cast<int>(w * shrink));
-    wish.height = std::max(16, static_cast<int>(h * shrink));
-    while (static_cast<double>(wish.width) * wish.height > most_pixels)
-        --(wish.width > wish.height ? wish.width : wish.height);
+    int &across = wish.asked.settings.width, &down = wish.asked.settings.height;
+    across = std::max(16, static_cast<int>(w * shrink));
+    down = std::max(16, static_cast<int>(h * shrink));
+    while (static_cast<double>(across) * down > most_pixels)
+        --(across > down ? across : down);
 }
 
 std::vector<std::string> words_of(const Wish& wish)
 {
-    std::vector<std::string> words = {"render", as_file(wish.scene)};
+    const cli::RenderArguments arguments = effective(wish);
+    std::vector<std::string> words = {"render", arguments.scene};
     const auto add = [&](const std::vector<std::string>& more) {
         words.insert(words.end(), more.begin(), more.end());
     };
-    if (wish.environment != "kitchen")
-        add({"--env", as_file(wish.environment)});
-    add({"--size", text(wish.width, "x", wish.height)});
+    if (arguments.environment != cli::RenderArguments().environment)
+        add({"--env", arguments.environment});
+    add({"--size", cli::size_word({arguments.settings.width, arguments.settings.height})});
     add(wish.eye.options());
-    add(wish.values.options(scene::is_builtin(wish.scene)));
-    for (const std::string& light : wish.lights)
-        add({"--light", light});
-    if (!wish.density.empty() && scene::is_builtin(wish.scene))
-        add({"--density", wish.density});
-    if (!wish.animation.empty() && !scene::is_builtin(wish.scene)) // its name may look like an option
-        add({text("--animation=", wish.animation), text("--moment=", number_word(wish.moment))});
-    add(wish.fixed);
+    for (const cli::OptionWord& word : words_behind_camera(arguments))
+        cli::append(words, word);
     return words;
 }
 
@@ -196,17 +228,9 @@ std::string command_of(const Wish& wish, const std::string& output)
 
 cli::RenderArguments arguments_of(const Wish& wish)
 {
-    std::vector<std::string> words = words_of(wish);
-    words.insert(words.begin(), "lambent");
-    words.insert(words.end(), {"-o", "picture.png"});
-    std::vector<const char*> pointers;
-    pointers.reserve(words.size());
-    for (const std::string& word : words)
-        pointers.push_back(word.c_str());
-    const cli::Arguments parsed = cli::parse_arguments(static_cast<int>(pointers.size()), pointers.data());
-    if (const auto* arguments = std::get_if<cli::RenderArguments>(&parsed))
-        return *arguments;
-    throw Error(Failure::usage, "the picture asked for is none"); // a name such as --help
+    cli::RenderArguments arguments = effective(wish);
+    cli::derive(arguments);
+    return arguments;
 }
 
 } // namespace lambent::viewer

@@ -1,4 +1,4 @@
-// What one viewer wants to see, as the command that draws it.
+// What one viewer wants to see, and the command that draws it.
 #pragma once
 
 #include "apps/options/arguments.h"
@@ -11,22 +11,20 @@
 namespace lambent::viewer {
 
 struct Wish {
-    std::string scene, environment = "kitchen";
-    Values values;
+    /// Each option by itself, without the camera and the moment: also what says nothing of this scene and model.
+    cli::RenderArguments asked;
     Eye eye;
-    std::vector<std::string> lights; ///< words of --light, checked
-    int width = 1280, height = 720;
-    std::vector<std::string> fixed = {}; ///< more options of `render`, which nobody changes
-    std::string density = {};            ///< word of --density, for built-in shapes; empty: not given
-    std::string animation = {};          ///< word of --animation; empty: the scene stands still
-    double moment = 0.0;                 ///< seconds from its start
+    double moment = 0.0; ///< of the animation, seconds from its start
 };
 
 /// At most this many lights, and this many pixels in a picture.
 constexpr std::size_t most_lights = 16;
 constexpr int most_pixels = 2560 * 1600;
 
-/// What a command line asks to see at first, without its animation and the camera of the scene. Throws Error(usage) where a value is none that can be set (parameters.cpp).
+/// A scene from where it is looked at first, with every option at its default.
+Wish plain_wish(const std::string& scene, const std::string& environment);
+
+/// What a command line asks to see at first, without its animation and the camera of the scene. Throws Error(usage) where a value is none that its control can be set to.
 Wish first_wish(const cli::StartArguments& start);
 
 /// Where a scene is looked at from at first.
@@ -57,7 +55,7 @@ std::vector<std::string> words_of(const Wish& wish);
 /// The command that writes the picture, for a POSIX shell.
 std::string command_of(const Wish& wish, const std::string& output);
 
-/// The words as `lambent` understands them: a picture drawn from this is the command's. Throws Error(usage).
+/// What `lambent` takes from these words: a picture drawn from this is the command's.
 cli::RenderArguments arguments_of(const Wish& wish);
 
 } // namespace lambent::viewer

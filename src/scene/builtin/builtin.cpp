@@ -25,7 +25,7 @@ constexpr float highest_exponent = 1e6f;
 
 int scaled(int usual, const BuiltinOptions& options)
 {
-    return std::max(3, static_cast<int>(std::lround(usual * options.density)));
+    return std::max(3, static_cast<int>(std::lround(usual * static_cast<double>(options.density))));
 }
 
 Material ggx_material(glm::vec3 base_color, float metallic, float perceptual_roughness)
@@ -207,7 +207,7 @@ Scene make_sphere_grid(const SphereGrid& grid)
 
 void check_options(const BuiltinOptions& options)
 {
-    if (!(options.density >= 1.0 / 16.0 && options.density <= 8.0))
+    if (!(options.density >= 1.0f / 16.0f && options.density <= 8.0f))
         throw Error(Failure::usage, text("density ", options.density, " is not between 1/16 and 8"));
     if (options.exponent && !(*options.exponent > 0.0f && *options.exponent <= highest_exponent))
         throw Error(Failure::usage, text("exponent ", *options.exponent, " is not above 0 and at most 1e6"));

@@ -1,0 +1,174 @@
+// Where the value of an option is kept, and how its word becomes that value and is made of it again.
+#pragma once
+
+#include "apps/options/option.h"
+#include "apps/options/values.h"
+
+#include <concepts>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace lambent::cli {
+
+/// The number that a word is. Throws Error(usage) for what is not in the domain.
+double number_of(const Option& option, const std::string& word);
+
+/// The place of a word among the choices. Throws Error(usage), with what was probably meant, where it is none of them.
+std::size_t choice_of(const Option& option, const std::string& word);
+
+/// As few digits as there can be, six at least, of a number that a float or a double holds; of an angle, degrees for the
+/// radians that a float holds. Nothing for a number below the domain: it was not given.
+std::string word_of_number(const Option& option, double value);
+std::string word_of_number(const Option& option, float value);
+
+/// What is said of a value that is not the default's where there are but two: of a flag "yes".
+std::string other_word(const Option& option);
+
+template <class T>
+concept Sized = requires(T value)
+{
+    value.width;
+    value.height;
+};
+
+template <class T>
+concept Optional = requires(T value)
+{
+    value.has_value();
+};
+
+template <class T>
+void read_value(const Option& option, const std::string& word, T& value)
+{
+    if constexpr (Optional<T>)
+        read_value(option, word, value.emplace());
+    else if constexpr (std::is_enum_v<T>)
+        value = static_cast<T>(choice_of(option, word));
+    else if constexpr (std::same_as<T, float>)
+        value = option.domain.kind == Domain::Kind::angle ? turned(number_of(option, word))
+                                                          : static_cast<float>(number_of(option, word));
+    else if constexpr (std::is_arithmetic_v<T>)
+        value = static_cast<T>(number_of(option, word));
+    else if constexpr (std::same_as<T, glm::vec3>)
+        value = parse_color(word, dashed(option));
+    else if constexpr (std::same_as<T, glm::dvec3>)
+        value = parse_point(word, dashed(option));
+    else if constexpr (std::same_as<T, view::Orbit>)
+        value = parse_orbit(word, dashed(option));
+    else if constexpr (std::same_as<T, draw::Background>)
+        value = parse_background(word, dashed(option));
+    else
+        value = word;
+}
+
+template <class T>
+std::string word_of(const Option& option, const T& value)
+{
+    if constexpr (Optional<T>)
+        return value ? word_of(option, *value) : std::string();
+    else if constexpr (std::is_enum_v<T>)
+        return words_in(option.domain.choices).at(static_cast<std::size_t>(value));
+    else if constexpr (std::same_as<T, float>)
+        return word_of_number(option, value);
+    else if constexpr (std::is_arithmetic_v<T>)
+        return word_of_number(option, static_cast<double>(value));
+    else if constexpr (std::same_as<T, std::string>)
+        return value;
+    else
+        return value_word(value);
+}
+
+/// Where a value is in the arguments of commands. An empty word stands for the default; of an
+/// option that may be repeated each word adds one.
+template <class Arguments>
+struct Value {
+    void (*set)(Arguments& arguments, const Option& option,
+                const std::string& word) = nullptr; ///< throws Error(usage)
+    std::string (*get)(const Arguments& arguments, const Option& option) = nullptr;
+
+    constexpr Value() = default;
+    constexpr Value(decltype(set) setter, decltype(get) getter) : set(setter), get(getter) {}
+
+    /// The value that a lambda returns a reference to.
+    template <class At>
+    requires std::is_empty_v<At>
+    constexpr Value(At) : set(&set_at<At>), get(&get_at<At>) {}
+
+private:
+    template <class At>
+    static void set_at(Arguments& arguments, const Option& option, const std::string& word)
+    {
+        const Arguments usual;
+        auto& value = At()(arguments);
+        const auto& usual_value = At()(usual);
+        using T = std::remove_reference_t<decltype(value)>;
+        if constexpr (Sized<T>) {
+            const Size size =
+                word.empty() ? Size{usual_value.width, usual_value.height} : parse_size(word, dashed(option));
+            value.width = size.width;
+            value.height = size.height;
+        } else if constexpr (std::same_as<T, bool>) {
+            if (option.domain.kind == Domain::Kind::choice && !word.empty())
+                choice_of(option, word);
+            value = (word.empty() || word == option.usual) == usual_value;
+        } else if (word.empty()) {
+            value = usual_value;
+        } else {
+            read_value(option, word, value);
+        }
+    }
+
+    template <class At>
+    static std::string get_at(const Arguments& arguments, const Option& option)
+    {
+        const auto& value = At()(arguments);
+        using T = std::remove_cvref_t<decltype(value)>;
+        if constexpr (Sized<T>) {
+            return size_word({value.width, value.height});
+        } else if constexpr (std::same_as<T, bool>) {
+            const Arguments usual;
+            return value == At()(usual) ? std::string(option.usual) : other_word(option);
+        } else {
+            return word_of(option, value);
+        }
+    }
+};
+
+/// A row of the table: the option, and where its value is. What there is to say is added by one call each.
+template <class Arguments>
+struct Row {
+    Option option;
+    Value<Arguments> value;
+
+    /// A flag.
+    explicit Row(std::string_view name) : Row(name, {}, flag) {}
+
+    /// `word`: what the help calls its value; `usual`: the default's word, if anything is given by default.
+    Row(std::string_view name, std::string_view word, const Domain& domain, std::string_view usual = {})
+        : option{name, word, domain, usual}
+    {
+    }
+
+    Row& at(Value<Arguments> where) { return value = where, *this; }
+    Row& says(std::string_view help, std::string_view manual = {})
+    {
+        return option.help = help, option.manual = manual, *this;
+    }
+    Row& usually(std::string_view said) { return option.usually = said, *this; }
+    Row& form(Form form, char letter = 0) { return option.form = form, option.letter = letter, *this; }
+    Row& only(Needs needs) { return option.needs = needs, *this; }
+    Row& place(int place) { return option.place = place, *this; }
+    Row& control(int place, const Control& how) { return option.place = place, option.control = how, *this; }
+};
+
+/// Rows that stand under one heading in the help of the same commands.
+template <class Arguments>
+struct Group {
+    std::string_view heading;
+    unsigned commands = 0;
+    std::vector<Row<Arguments>> rows;
+};
+
+} // namespace lambent::cli

@@ -1,0 +1,236 @@
+// The table of options: what a picture shows.
+#include "apps/options/look_options.h"
+#include "apps/options/option_table.h"
+
+#include "base/error.h"
+#include "base/text.h"
+#include "scene/builtin/builtin.h"
+
+#include <utility>
+
+namespace lambent::cli {
+namespace {
+
+using A = RenderArguments;
+using Kind = Domain::Kind;
+constexpr std::string_view environments = "kitchen studio sky furnace none";
+
+void add_light(A& arguments, const Option& option, const std::string& word)
+{
+    arguments.settings.lights.push_back(parse_light(word, dashed(option)));
+    arguments.light_places.push_back(light_place(word, dashed(option)));
+    arguments.light_words.push_back(word);
+}
+
+std::string light_words(const A& arguments, const Option&)
+{
+    std::string words;
+    for (const std::string& word : arguments.light_words)
+        words += text(words.empty() ? "" : " ", word);
+    return words;
+}
+
+void set_moment(A& arguments, const Option& option, const std::string& word)
+{
+    arguments.moment.reset();
+    if (word.empty())
+        return;
+    const double moment = number_of(option, word);
+    if (moment < 0.0)
+        throw Error(Failure::usage, text(dashed(option), ": '", word, "' is before the start"));
+    arguments.moment = moment;
+}
+
+std::string moment_word(const A& arguments, const Option& option)
+{
+    return word_of(option, arguments.moment);
+}
+
+const char* wanted(Needs needs)
+{
+    switch (needs) {
+    case Needs::ggx:
+        return "--model ggx; phong's is --alpha, the exponent";
+    case Needs::phong_shapes:
+        return "--model phong and a built-in shape";
+    case Needs::shapes:
+        return "a built-in shape";
+    default:
+        return "a .gltf or .glb";
+    }
+}
+
+Group<A> light_group()
+{
+    using R = Row<A>;
+    return {"Light",
+            command::of_scenes,
+            {R("env", "ENV", any_text(environments), "kitchen")
+                 .at([](auto& a) -> auto& { return a.environment; })
+                 .says("A panorama (.hdr, .exr), or kitchen, studio, sky, furnace, none", "the light around"),
+             R("env-rotation", "DEG", {Kind::angle}, "0")
+                 .at([](auto& a) -> auto& { return a.settings.environment_rotation; })
+                 .says("Turn the environment about the vertical")
+                 .control(7, {"Rotation", "Light", -180.0, 180.0}),
+             R("background", "KIND", {Kind::background, 0, 0, false, "env none blur:"}, "env")
+                 .at([](auto& a) -> auto& { return a.settings.background; })
+                 .says("env, none, R,G,B or blur:ROUGHNESS",
+                       "`env`, `none` (transparent), `R,G,B` (radiance) or `blur:ROUGHNESS`")
+                 .control(11, {"Background", "Light", 0, 0, false,
+                               "env none blur:0.2 blur:0.4 blur:0.7 0,0,0 0.2,0.2,0.2 1,1,1"}),
+             R("light", "LIGHT", {Kind::light, 0, 0, false, "directional: point:"})
+                 .at({add_light, light_words})
+                 .form(Form::repeated)
+                 .says("directional:AZ,EL,R,G,B (lux) or point:X,Y,Z,R,G,B (candela); repeatable",
+                       "`directional:AZ,EL,R,G,B` in lux, from AZ,EL as for the camera, or "
+                       "`point:X,Y,Z,R,G,B` in candela; repeatable")
+                 .place(20),
+             R("ambient-brightness", "B", number(0.0, 1.0e6), "1")
+                 .at([](auto& a) -> auto& { return a.settings.ambient_brightness; })
+                 .usually("1; the report's is 2")
+                 .says("Factor on diffuse environment light")
+                 .control(8, {"Diffuse brightness", "Light", 0.0, 20.0}),
+             R("ibl", "METHOD", one_of("sampled split-sum"), "sampled")
+                 .at([](auto& a) -> auto& { return a.split_sum; })
+                 .says("Specular environment light: sampled, or split-sum, 8 samples",
+                       "specular environment light: `sampled`, or `split-sum`: [8 wide "
+                       "lookups](ERRORS.md#split-sum), whatever `--samples` says")
+                 .control(9, {"Specular light", "Light"}),
+             // More than its control has take many minutes, as with --aa.
+             R("samples", "N", whole(1, 65536), "40")
+                 .at([](auto& a) -> auto& { return a.settings.samples; })
+                 .says("Samples of the specular lobe")
+                 .control(10, {"Samples", "Light", 1.0, 1024.0, true}),
+             R("no-cache")
+                 .at([](auto& a) -> auto& { return a.cache; })
+                 .says("Neither read nor write the environment cache",
+                       "neither read nor write the [environment cache](ENVIRONMENTS.md#the-cache)")}};
+}
+
+Group<A> view_group()
+{
+    using R = Row<A>;
+    return {"View and moment",
+            command::of_scenes,
+            {R("size", "WxH", {Kind::size}, "1280x720")
+                 .at([](auto& a) -> auto& { return a.settings; })
+                 .says("Picture size in pixels"),
+             R("camera", "AZ,EL[,DIST]", {Kind::orbit})
+                 .at([](auto& a) -> auto& { return a.orbit; })
+                 .usually("frames it")
+                 .says("Degrees around and above the scene, metres from its middle",
+                       "degrees around and above the scene, metres from its middle; azimuth 0 looks from +Z"),
+             R("target", "X,Y,Z", {Kind::place})
+                 .at([](auto& a) -> auto& { return a.target; })
+                 .usually("the scene's middle")
+                 .says("The point that --camera, with a distance, is around, metres"),
+             R("camera-node", "NAME", any_text())
+                 .at([](auto& a) -> auto& { return a.camera_node; })
+                 .says("A camera of the glTF, with its own field of view",
+                       "[a camera of the glTF](#cameras-and-places): its node's name, else its own, else "
+                       "`camera0`, `camera1`, ..."),
+             R("fov", "DEG", {Kind::angle, 0.1, 175.0}, "45")
+                 .at([](auto& a) -> auto& { return a.vertical_fov; })
+                 .says("Vertical field of view, 0.1 to 175",
+                       "vertical field of view, 0.1 to 175 degrees; not with `--camera-node`")
+                 .control(18, {"Field of view", "Camera", 1.0, 170.0}),
+             R("aa", "N", whole(1, 64), "4")
+                 .at([](auto& a) -> auto& { return a.settings.edge_samples; })
+                 .says("Samples per pixel where surfaces end")
+                 .control(19, {"Edge samples", "Camera", 1.0, 16.0}),
+             R("animation", "NAME|N", any_text())
+                 .at([](auto& a) -> auto& { return a.animation; })
+                 .form(Form::joined)
+                 .usually("none; with --moment 0")
+                 .says("An animation of the glTF, or its number from 0",
+                       "an animation of the glTF, by its name (`info` lists them), else by its number from "
+                       "0; without, the scene is as it stands in the file")
+                 .only(Needs::file)
+                 .place(22),
+             R("moment", "S", any_number)
+                 .at({set_moment, moment_word})
+                 .form(Form::joined)
+                 .usually("0")
+                 .says("Seconds from its start, at most its duration",
+                       "seconds from the animation's start; what is later is its end; the camera frames the "
+                       "scene as it stands, so that moments make a sequence")
+                 .only(Needs::file)
+                 .place(23)}};
+}
+
+Group<A> scene_group()
+{
+    using R = Row<A>;
+    return {"Options",
+            command::of_scenes,
+            {R("scene", "SCENE", any_text("sphere teapot plane report painted grid furnace"))
+                 .at([](auto& a) -> auto& { return a.scene; })
+                 .form(Form::positional)
+                 .says("A .gltf or .glb, or a built-in scene")}};
+}
+
+Group<A> output_group()
+{
+    using R = Row<A>;
+    return {"Options",
+            command::render | command::reference,
+            {R("output", "FILE", any_text())
+                 .at([](auto& a) -> auto& { return a.output; })
+                 .form(Form::required, 'o')
+                 .says("The picture: .png .jpg (as displayed), .exr .hdr (linear radiance)",
+                       "`.png` or `.jpg`: as displayed; `.exr` or `.hdr`: linear radiance before exposure "
+                       "and tone curve, in `.exr` with coverage as alpha")}};
+}
+
+Group<A> render_group()
+{
+    using R = Row<A>;
+    return {"Options",
+            command::render,
+            {R("layers", "DIR", any_text())
+                 .at([](auto& a) -> auto& { return a.layers; })
+                 .says("Also write each layer of the G-buffer and of the light",
+                       "each layer of the G-buffer and of the light, as `.exr` and as `.png` to look at: "
+                       "[which](#layers)"),
+             R("pipeline", "WHOSE", one_of("light report"), "light")
+                 .at([](auto& a) -> auto& { return a.report_pipeline; })
+                 .says("light, added up and then shown, or the 2014 report's own",
+                       "`light` is added up and then shown; `report`: [the 2014 report's own order of "
+                       "things](REPORT.md#the-reports-own-pipeline), with `--model phong` alone")}};
+}
+
+} // namespace
+
+template <>
+const std::vector<Group<A>>& groups<A>()
+{
+    static const std::vector<Group<A>> all = {
+        scene_group(),  light_group(),  view_group(),   material_group(), display_group(),
+        device_group(), output_group(), render_group(), bounces_group(),  viewer_group()};
+    return all;
+}
+
+bool applies(Needs needs, const RenderArguments& arguments)
+{
+    const bool phong = arguments.settings.model == draw::Model::phong;
+    switch (needs) {
+    case Needs::ggx:
+        return !phong;
+    case Needs::phong_shapes:
+        return phong && scene::is_builtin(arguments.scene);
+    case Needs::shapes:
+        return scene::is_builtin(arguments.scene);
+    case Needs::file:
+        return !scene::is_builtin(arguments.scene);
+    default:
+        return true;
+    }
+}
+
+void check_needs(const Option& option, const RenderArguments& arguments)
+{
+    if (!applies(option.needs, arguments))
+        throw Error(Failure::usage, text(dashed(option), ": only with ", wanted(option.needs)));
+}
+
+} // namespace lambent::cli

@@ -1,0 +1,108 @@
+#include "apps/options/rules.h"
+
+#include "apps/options/option_table.h"
+#include "base/error.h"
+#include "base/text.h"
+
+namespace lambent::cli {
+namespace {
+
+template <class... Parts>
+void refuse_if(bool refused, const Parts&... reason)
+{
+    if (refused)
+        throw Error(Failure::usage, text(reason...));
+}
+
+void check_view(const RenderArguments& arguments, const Given& given)
+{
+    const bool has_node = given("camera-node");
+    refuse_if(has_node && given("camera"), "--camera and --camera-node exclude each other");
+    refuse_if(given("target") && !(arguments.orbit && arguments.orbit->distance > 0.0f),
+              "--target: only with --camera AZ,EL,DIST");
+    refuse_if(has_node && given("fov"), "--fov and --camera-node exclude each other: a camera has its own");
+}
+
+// The report's own order of things goes with little else.
+void settle_pipeline(RenderArguments& arguments, const Given& given)
+{
+    draw::Settings& settings = arguments.settings;
+    display::Settings& display = arguments.display;
+    refuse_if(settings.model != draw::Model::phong, "--pipeline report: only with --model phong");
+    refuse_if(given("mip-level") && settings.mip_level != draw::MipLevel::report,
+              "--pipeline report: its levels are the report's, not --mip-level matched");
+    refuse_if(display.tone != display::Tone::reinhard,
+              "--pipeline report: its tone curve is the report's: no --tone");
+    settings.pipeline = draw::ReportPipeline{display.exposure, display.contrast, display.encode};
+    settings.mip_level = draw::MipLevel::report;
+    settings.texel_transfer = draw::TexelTransfer::none; // its passes decode
+    if (!given("ambient-brightness"))
+        settings.ambient_brightness = 2.0f;
+    // What is drawn are codes.
+    display.exposure = display.contrast = 1.0f;
+    display.tone = display::Tone::linear;
+    display.encode = false;
+}
+
+} // namespace
+
+void derive(RenderArguments& arguments)
+{
+    draw::Settings& settings = arguments.settings;
+    if (arguments.split_sum)
+        settings.samples = draw::split_sum_samples;
+    // The report decodes its texels by the power that it encodes with; glTF's are sRGB.
+    using draw::TexelTransfer;
+    settings.texel_transfer = !arguments.display.encode              ? TexelTransfer::none
+                              : settings.model == draw::Model::phong ? TexelTransfer::power_2_2
+                                                                     : TexelTransfer::srgb;
+    arguments.display.unlit_by_power = settings.texel_transfer == TexelTransfer::power_2_2;
+}
+
+void settle(CommonOptions&, const Given& given)
+{
+    refuse_if(given("quiet") && given("verbose"), "--quiet and --verbose exclude each other");
+}
+
+void settle(RenderArguments& arguments, const Given& given)
+{
+    check_view(arguments, given);
+    derive(arguments);
+    if (arguments.report_pipeline)
+        settle_pipeline(arguments, given);
+}
+
+void settle(ReferenceArguments& arguments, const Given& given)
+{
+    settle(arguments.picture, given);
+    refuse_if(arguments.picture.backend == Backend::vulkan,
+              "--backend: vulkan draws, but does not trace: references are made by cpu");
+    refuse_if(!arguments.variance.empty() && arguments.samples == 1,
+              "--variance: one sample per pixel tells none: --spp 2 or more");
+}
+
+void settle(StartArguments& arguments, const Given& given)
+{
+    settle(arguments.picture, given);
+    arguments.given = given;
+    refuse_if(arguments.picture.common.stats_json,
+              "--stats: not with viewers, which run until they are ended");
+}
+
+void settle(CompareArguments& arguments, const Given& given)
+{
+    refuse_if(given("heat") && arguments.output.empty(), "--heat: only with -o");
+}
+
+void settle(ReportArguments& arguments, const Given& given)
+{
+    const int width = arguments.width, height = arguments.height;
+    refuse_if(arguments.output.empty(), "--output: nothing given");
+    refuse_if(arguments.environment == "none", "--env: a report needs an environment");
+    refuse_if(arguments.quick && (given("noise") || given("spp")),
+              "--quick makes no references: --noise and --spp say nothing then");
+    refuse_if(width < 16 || height < 16 || width > 4096 || height > 4096,
+              "--size: ", size_word({width, height}), " is not from 16x16 to 4096x4096");
+}
+
+} // namespace lambent::cli
