@@ -39,7 +39,7 @@ std::vector<FirstHit> first_hits(const scene::Scene& scene, const PanoramaView& 
                     continue;
                 }
                 const reference::Surface surface = surfaces.at(hit, ray.direction);
-                albedo += share * glm::max(glm::vec3(surface.base), glm::vec3(least_albedo));
+                albedo += share * glm::max(glm::vec3(surface.material.base_color), glm::vec3(least_albedo));
                 sum.normal += share * glm::vec3(surface.normal);
                 sum.position += share * (glm::vec3(surface.position) - view.viewpoint);
                 sum.coverage += share;
