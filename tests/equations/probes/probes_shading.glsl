@@ -71,6 +71,7 @@ Real report_base_level(Environment e) { return e.base_level; }
 // A table that is a formula.
 Real albedo_entry(Real column, Real row, int part) { return 0.01 * column + 0.02 * row + 0.1 * Real(part); }
 #include "shading/lobes/albedo.glsl"
+#include "shading/lobes/layers.glsl"
 
 Environment formula(Real brightness)
 {
@@ -283,7 +284,7 @@ Texel some_texel(Real a, Real b)
     return t;
 }
 
-Outputs shading_parameters(Inputs i)
+Material some_material(Inputs i)
 {
     Texels texels = {
 #define TEXTURE(name, number, transfer, object, key) some_texel(i.a + 0.01 * Real(number), i.b),
@@ -298,9 +299,21 @@ Outputs shading_parameters(Inputs i)
 #define STRENGTH(name, factor, number, value, object, key, texture, channel) i.f,
 #include "shading/material/parameters.h"
     };
-    Material m = material_of(factors, texels, some_texel(i.h, i.g), alpha_blend);
+    return material_of(factors, texels, some_texel(i.h, i.g), alpha_blend);
+}
+
+Outputs shading_parameters(Inputs i)
+{
+    Material m = some_material(i);
     return outputs(m.base_color + m.emissive + vec3(m.opacity + opacity_of(alpha_mask, i.a, i.b)),
                    m.alpha + m.metallic + m.occlusion);
+}
+
+Outputs shading_layers(Inputs i)
+{
+    Metallic coat = facets_coat(some_material(i), 1.0);
+    vec3 V = direction(i.f, i.g);
+    return outputs(left_below(i.a, coat, vec2(0.5 + 0.4 * i.b, 0.1 * i.c)) + left_below_at(i.a, coat, view_near(V, i), V), coat.alpha);
 }
 
 Outputs shading_albedo(Inputs i)
