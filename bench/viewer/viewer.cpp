@@ -136,13 +136,13 @@ void print(const Moving& moving, const Moving& beside, const Single& single)
 
 int main()
 {
-    viewer::Wish start = viewer::plain_wish("grid", "kitchen");
-    viewer::Stock stock;
-    stock.load(viewer::arguments_of(start));
-    viewer::Desk desk(stock);
+    viewer::ViewRequest start = viewer::plain_wish("grid", "kitchen");
+    viewer::AssetCache assets;
+    assets.load(viewer::arguments_of(start));
+    viewer::DrawScheduler scheduler(assets);
     serve::ServerOptions options;
     options.port = 0;
-    serve::Server server(options, start, viewer::FileList({}), stock, desk);
+    serve::Server server(options, start, viewer::FileList({}), assets, scheduler);
     std::thread thread([&] { server.run(); });
     std::uint64_t id = 0;
     {

@@ -53,7 +53,7 @@ LightArrival arrival_of(const scene::Light& light, const glm::dvec3& point)
     return {vec(a.direction), vec(a.illuminance), glm::length(glm::dvec3(light.position) - point)};
 }
 
-glm::dvec3 blurred(const glm::dvec3& direction, double roughness, Sampler& sampler)
+glm::dvec3 blurred(const glm::dvec3& direction, double roughness, SampleSequence& sampler)
 {
     // Rayleigh distributed angle. [Box and Muller 1958]
     const double deviation = roughness * roughness;

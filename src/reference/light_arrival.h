@@ -17,6 +17,6 @@ LightArrival arrival_of(const scene::Light& light, const glm::dvec3& point);
 
 /// A direction near the given one, normally distributed with standard deviation roughness^2 radians along each axis:
 /// what `--background blur` looks through.
-glm::dvec3 blurred(const glm::dvec3& direction, double roughness, Sampler& sampler);
+glm::dvec3 blurred(const glm::dvec3& direction, double roughness, SampleSequence& sampler);
 
 } // namespace lambent::reference

@@ -26,7 +26,7 @@ trace::Hit nearest(const World& world, trace::Ray ray, RayOf whose)
 
 } // namespace
 
-trace::Hit first_obstacle(const World& world, trace::Ray ray, RayOf whose, Sampler& sampler)
+trace::Hit first_obstacle(const World& world, trace::Ray ray, RayOf whose, SampleSequence& sampler)
 {
     for (int layer = 0; layer < most_layers; ++layer) {
         const trace::Hit hit = nearest(world, ray, whose);

@@ -9,7 +9,7 @@ namespace lambent::reference {
 enum class RayOf { camera, light };
 
 /// The first surface that is there for this ray: not the part that alpha lets through, and for a camera no culled back.
-trace::Hit first_obstacle(const World& world, trace::Ray ray, RayOf whose, Sampler& sampler);
+trace::Hit first_obstacle(const World& world, trace::Ray ray, RayOf whose, SampleSequence& sampler);
 
 /// Share of the light that gets along a ray, 0 to 1. Both sides of every surface are in its way.
 double passing(const World& world, trace::Ray ray);

@@ -39,7 +39,7 @@ glm::vec3 start_beside(const glm::dvec3& position, const glm::dvec3& towards)
 
 class Path {
 public:
-    Path(const World& world, Sampler& sampler) : world_(world), sampler_(sampler) {}
+    Path(const World& world, SampleSequence& sampler) : world_(world), sampler_(sampler) {}
 
     Sight follow(const SightRay& sight);
 
@@ -58,7 +58,7 @@ private:
     bool below(const Surface& surface, const glm::dvec3& direction) const;
 
     const World& world_;
-    Sampler& sampler_;
+    SampleSequence& sampler_;
     glm::dvec3 throughput_{1.0}; ///< of the path so far
     glm::dvec3 next_{0.0};       ///< where the path goes on
     double density_ = 0.0;       ///< with which that was drawn; 0: the path ends
@@ -284,7 +284,7 @@ Sight Path::follow(const SightRay& sight)
 
 } // namespace
 
-Sight trace_path(const World& world, const SightRay& ray, Sampler& sampler)
+Sight trace_path(const World& world, const SightRay& ray, SampleSequence& sampler)
 {
     return Path(world, sampler).follow(ray);
 }

@@ -42,6 +42,6 @@ struct Sight {
 };
 
 /// One sample of what a ray of sight sees: an unbiased estimate, noise and all.
-Sight trace_path(const World& world, const SightRay& ray, Sampler& sampler);
+Sight trace_path(const World& world, const SightRay& ray, SampleSequence& sampler);
 
 } // namespace lambent::reference

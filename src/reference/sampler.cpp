@@ -93,7 +93,7 @@ std::uint32_t owen_scrambled(std::uint32_t fraction, std::uint32_t seed)
     return reversed(x);
 }
 
-std::array<double, 4> Sampler::next4()
+std::array<double, 4> SampleSequence::next4()
 {
     const std::uint32_t seed = mixed(sequence_, ++dimension_);
     // The order of the points is scrambled too, or the dimensions would go in step.
@@ -105,7 +105,7 @@ std::array<double, 4> Sampler::next4()
     return u;
 }
 
-double Sampler::random()
+double SampleSequence::random()
 {
     return mixed(mixed(sequence_, 0x68bc21ebu + ++drawn_), index_) * 0x1p-32;
 }

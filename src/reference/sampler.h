@@ -25,9 +25,9 @@ std::uint32_t owen_scrambled(std::uint32_t fraction, std::uint32_t seed);
 
 /// The numbers of one sample of one pixel. Each call of next4() is another four dimensions; what shares a `sequence`
 /// is spread evenly over `index` = 0, 1, 2 ..., what does not is independent.
-class Sampler {
+class SampleSequence {
 public:
-    Sampler(std::uint32_t sequence, std::uint32_t index) : sequence_(sequence), index_(index) {}
+    SampleSequence(std::uint32_t sequence, std::uint32_t index) : sequence_(sequence), index_(index) {}
 
     /// Each in [0, 1), evenly spread over the indices of the sequence.
     std::array<double, 4> next4();

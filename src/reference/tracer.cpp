@@ -77,8 +77,8 @@ void Tracer::sample_tile(int tile, int count)
             const std::uint32_t pixel =
                 mixed(mixed(static_cast<std::uint32_t>(x), settings_.seed), static_cast<std::uint32_t>(y));
             for (int i = film_.samples(tile); i < count; ++i) {
-                Sampler sampler(mixed(pixel, static_cast<std::uint32_t>(i % replicates)),
-                                static_cast<std::uint32_t>(i / replicates));
+                SampleSequence sampler(mixed(pixel, static_cast<std::uint32_t>(i % replicates)),
+                                       static_cast<std::uint32_t>(i / replicates));
                 const std::array<double, 4> place = sampler.next4();
                 Sight sight = trace_path(world_, lens_.through(x + place[0], y + place[1]), sampler);
                 if (!std::isfinite(sight.radiance.x + sight.radiance.y + sight.radiance.z)) {

@@ -98,7 +98,7 @@ TEST(ReferenceSampler, SamplesOfASequenceAreNetsInEveryCall)
     for (const std::uint32_t sequence : {0u, 1u, 999u, 0xdeadbeefu})
         for (int call = 0; call < 4; ++call)
             expect_spread([&](std::uint32_t i) {
-                Sampler sampler(sequence, i);
+                SampleSequence sampler(sequence, i);
                 for (int skipped = 0; skipped < call; ++skipped)
                     sampler.next4();
                 return sampler.next4();
@@ -119,7 +119,7 @@ TEST(ReferenceSampler, SequencesAreUniformAndIndependent)
         for (std::size_t d = 0; d < 4; ++d) {
             std::vector<double> own(256, 0.0), neighbours(256, 0.0), calls(256, 0.0);
             for (std::uint32_t s = 0; s < count; ++s) {
-                Sampler one(2 * s, index), other(2 * s + 1, index);
+                SampleSequence one(2 * s, index), other(2 * s + 1, index);
                 const auto a = one.next4(), b = other.next4(), c = one.next4();
                 ++own[box(a[d], a[(d + 1) % 4])];
                 ++neighbours[box(a[d], b[d])];
@@ -136,7 +136,7 @@ TEST(ReferenceSampler, RandomIsUniformAndIndependent)
     std::vector<double> draws(256, 0.0), indices(256, 0.0), sequences(256, 0.0);
     constexpr int count = 100000;
     for (std::uint32_t i = 0; i < count; ++i) {
-        Sampler one(7, 2 * i), next(7, 2 * i + 1), of_sequence(2 * i, 3), of_next(2 * i + 1, 3);
+        SampleSequence one(7, 2 * i), next(7, 2 * i + 1), of_sequence(2 * i, 3), of_next(2 * i + 1, 3);
         const double first = one.random(), second = one.random();
         ++draws[box(first, second)];
         ++indices[box(first, next.random())];

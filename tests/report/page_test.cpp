@@ -44,7 +44,7 @@ std::string body_of(const Page& page)
 Page page_of(const std::string& text)
 {
     const auto picture = [&](const std::string& file) {
-        return Picture{file, 64, 32, text, text, {text, "second of " + text}, {{text, text}}};
+        return PagePicture{file, 64, 32, text, text, {text, "second of " + text}, {{text, text}}};
     };
     const Matrix matrix{{text, text}, {text}, {picture("m1.png"), picture("m2.png")}};
     const Comparison comparison{{picture("c1.png"), picture("c2.png"), picture("c3.png")}};

@@ -94,7 +94,7 @@ class Painter {
 public:
     explicit Painter(fs::path folder) : folder_(std::move(folder)) {}
 
-    Picture paint(const View& view, const std::string& title) const
+    PagePicture paint(const View& view, const std::string& title) const
     {
         ++count_;
         const std::string file = "picture-" + std::to_string(count_) + (count_ % 3 == 0 ? ".jpg" : ".png");
@@ -102,7 +102,7 @@ public:
         char exposure[32], roughness[32];
         std::snprintf(exposure, sizeof exposure, "%g", view.exposure);
         std::snprintf(roughness, sizeof roughness, "%.2f", view.roughness);
-        Picture picture{file, view.width, view.height, title, "Balls under a lamp: " + title, {}, {}};
+        PagePicture picture{file, view.width, view.height, title, "Balls under a lamp: " + title, {}, {}};
         picture.commands = {"lambent bake studio.hdr --format ktx2 --samples 1024 -o build/baked",
                             "lambent render balls --environment build/baked --roughness " +
                                 std::string(roughness) + " --exposure " + exposure +
@@ -153,7 +153,7 @@ Section surface_section(const Painter& painter)
         matrix.columns.push_back("roughness " + std::to_string(r).substr(0, 4));
     for (int row = 0; row < 3; ++row)
         for (const double r : roughness) {
-            Picture picture =
+            PagePicture picture =
                 painter.paint({.width = 256, .height = 256, .roughness = r, .metal = row * 0.5}, "a ball");
             picture.numbers.pop_back();
             picture.title.clear();

@@ -11,18 +11,18 @@ namespace {
 
 class Nobody : public viewer::Presenter {
 public:
-    void show(viewer::Picture) override {}
+    void show(viewer::ShownPicture) override {}
     void say(const std::string&) override {}
     void save(viewer::Saved) override {}
 };
 
 struct Messages : ::testing::Test {
     Heard said(const std::string& message) { return hear(message, session, files); }
-    viewer::Wish wish() { return session.wish(); }
+    viewer::ViewRequest request() { return session.request(); }
 
-    viewer::Stock stock{{.cache = false}};
+    viewer::AssetCache assets{{.cache = false}};
     viewer::FileList files{{}};
-    viewer::Session session{viewer::plain_wish("plane", "furnace"), stock, std::make_shared<Nobody>()};
+    viewer::Session session{viewer::plain_wish("plane", "furnace"), assets, std::make_shared<Nobody>()};
 };
 
 TEST_F(Messages, DoWhatTheySay)
@@ -34,16 +34,16 @@ TEST_F(Messages, DoWhatTheySay)
     said(R"({"do": "lights", "list": ["point:1,2,3,4,5,6"]})");
     said(R"({"do": "size", "width": 100, "height": 50})");
     said(R"({"do": "orbit", "x": 10, "y": 5})");
-    EXPECT_EQ(viewer::value_of(wish().asked, "exposure"), "2.5");
-    EXPECT_EQ(viewer::value_of(wish().asked, "tone"), "agx");
-    EXPECT_EQ(viewer::value_of(wish().asked, "env-rotation"), "-170");
-    EXPECT_EQ(wish().asked.light_words.size(), 1u);
-    EXPECT_EQ(wish().asked.settings.width, 100);
-    EXPECT_NEAR(wish().eye.azimuth(), 40.0, 1e-3);
+    EXPECT_EQ(viewer::value_of(request().asked, "exposure"), "2.5");
+    EXPECT_EQ(viewer::value_of(request().asked, "tone"), "agx");
+    EXPECT_EQ(viewer::value_of(request().asked, "env-rotation"), "-170");
+    EXPECT_EQ(request().asked.light_words.size(), 1u);
+    EXPECT_EQ(request().asked.settings.width, 100);
+    EXPECT_NEAR(request().eye.azimuth(), 40.0, 1e-3);
     said(R"({"do": "reset"})");
-    EXPECT_EQ(viewer::value_of(wish().asked, "exposure"), "1");
-    EXPECT_NEAR(wish().eye.azimuth(), 30.0, 1e-3);
-    EXPECT_EQ(wish().asked.settings.width, 100);
+    EXPECT_EQ(viewer::value_of(request().asked, "exposure"), "1");
+    EXPECT_NEAR(request().eye.azimuth(), 30.0, 1e-3);
+    EXPECT_EQ(request().asked.settings.width, 100);
 }
 
 TEST_F(Messages, MalformedOnesAreNamedAndChangeNothing)
@@ -84,7 +84,7 @@ TEST_F(Messages, HugeNumbersLeaveAPictureThatCanBeDrawn)
     said(R"({"do": "dolly", "by": 1e308})");
     said(R"({"do": "turn", "by": 1e308})");
     said(R"({"do": "size", "width": 1e308, "height": -1e308})");
-    EXPECT_NO_THROW(viewer::arguments_of(wish()));
+    EXPECT_NO_THROW(viewer::arguments_of(request()));
 }
 
 TEST(Message, FramesBeginWithTheLengthOfTheirHeader)

@@ -18,18 +18,19 @@ namespace {
 using test::get;
 using test::Visitor;
 
-viewer::Wish small_wish()
+viewer::ViewRequest small_wish()
 {
-    viewer::Wish wish = viewer::plain_wish("sphere", "furnace");
-    viewer::set_size(wish, 64, 48);
-    viewer::set_value(wish.asked, "samples", "8");
-    return wish;
+    viewer::ViewRequest request = viewer::plain_wish("sphere", "furnace");
+    viewer::set_size(request, 64, 48);
+    viewer::set_value(request.asked, "samples", "8");
+    return request;
 }
 
 // A server at a free port, which runs until its end.
 struct Running {
     explicit Running(const ServerOptions& options = quick())
-        : server(options, small_wish(), viewer::FileList({}), stock, desk), thread([this] { server.run(); })
+        : server(options, small_wish(), viewer::FileList({}), assets, scheduler),
+          thread([this] { server.run(); })
     {
     }
     Running(const Running&) = delete;
@@ -49,8 +50,8 @@ struct Running {
         return options;
     }
 
-    viewer::Stock stock{{.cache = false}};
-    viewer::Desk desk{stock};
+    viewer::AssetCache assets{{.cache = false}};
+    viewer::DrawScheduler scheduler{assets};
     Server server;
     std::thread thread;
 };
@@ -292,17 +293,17 @@ TEST(Server, SavesWhatTheCommandWrites)
 TEST(Server, SaysWhyItCannotListen)
 {
     const Running running;
-    viewer::Stock stock({.cache = false});
-    viewer::Desk desk(stock);
+    viewer::AssetCache assets({.cache = false});
+    viewer::DrawScheduler scheduler(assets);
     ServerOptions options = Running::quick();
     options.host = "nonsense";
-    EXPECT_THROW(Server(options, small_wish(), viewer::FileList({}), stock, desk), Error);
+    EXPECT_THROW(Server(options, small_wish(), viewer::FileList({}), assets, scheduler), Error);
     EXPECT_TRUE(is_loopback("127.0.0.1") && is_loopback("::1") && is_loopback("localhost"));
     EXPECT_FALSE(is_loopback("0.0.0.0") || is_loopback("::") || is_loopback("192.168.0.1"));
     options.host = "127.0.0.1";
     options.port = running.server.port();
     try {
-        const Server second(options, small_wish(), viewer::FileList({}), stock, desk);
+        const Server second(options, small_wish(), viewer::FileList({}), assets, scheduler);
         ADD_FAILURE() << "two servers at one port";
     } catch (const Error& error) {
         EXPECT_EQ(error.failure(), Failure::no_device);

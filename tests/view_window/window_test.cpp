@@ -1,5 +1,5 @@
 // `lambent view` moved by mouse and keys.
-#include "apps/view/hands.h"
+#include "apps/view/input_handler.h"
 #include "base/text.h"
 #include "tests/scene/sliding_model.h"
 #include "tests/view_window/window_fixture.h"

@@ -1,5 +1,5 @@
 // The table of parameters, and what is refused.
-#include "apps/viewer/wish.h"
+#include "apps/viewer/view_request.h"
 #include "base/error.h"
 
 #include <gtest/gtest.h>
@@ -15,9 +15,9 @@ using Values = cli::RenderArguments;
 // The options of the command that draws a scene with these values.
 std::vector<std::string> options_of(const Values& values, const std::string& scene)
 {
-    Wish wish{values, {}};
-    wish.asked.scene = scene;
-    const std::vector<std::string> words = words_of(wish);
+    ViewRequest request{values, {}};
+    request.asked.scene = scene;
+    const std::vector<std::string> words = words_of(request);
     return {words.begin() + 6, words.end()}; // behind the scene, its size and the camera
 }
 

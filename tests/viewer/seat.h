@@ -1,7 +1,7 @@
-// A viewer at a desk, who waits for what it is shown.
+// A viewer at a scheduler, who waits for what it is shown.
 #pragma once
 
-#include "apps/viewer/desk.h"
+#include "apps/viewer/draw_scheduler.h"
 #include "base/file.h"
 #include "tests/support/process.h"
 
@@ -15,7 +15,7 @@ namespace lambent::viewer {
 // Keeps what it is shown; waits for it.
 class Audience : public Presenter {
 public:
-    void show(Picture picture) override { keep(pictures, std::move(picture)); }
+    void show(ShownPicture picture) override { keep(pictures, std::move(picture)); }
     void say(const std::string& state) override { keep(states, state); }
     void save(Saved file) override { keep(saved, std::move(file)); }
 
@@ -28,7 +28,7 @@ public:
 
     std::mutex mutex;
     std::condition_variable changed;
-    std::deque<Picture> pictures;
+    std::deque<ShownPicture> pictures;
     std::deque<std::string> states;
     std::deque<Saved> saved;
 
@@ -43,20 +43,20 @@ private:
 };
 
 struct Seat {
-    Seat(Desk& at, Stock& stock, Wish wish)
-        : desk(at), audience(std::make_shared<Audience>()),
-          session(std::make_shared<Session>(std::move(wish), stock, audience))
+    Seat(DrawScheduler& at, AssetCache& assets, ViewRequest request)
+        : scheduler(at), audience(std::make_shared<Audience>()),
+          session(std::make_shared<Session>(std::move(request), assets, audience))
     {
-        desk.add(session);
+        scheduler.add(session);
     }
     Seat(const Seat&) = delete;
     Seat& operator=(const Seat&) = delete;
-    ~Seat() { desk.remove(session); }
+    ~Seat() { scheduler.remove(session); }
 
     // Sees every picture until there is one of `kind` that shows `input`.
-    Picture wait_for(Picture::Kind kind, std::uint64_t input)
+    ShownPicture wait_for(ShownPicture::Kind kind, std::uint64_t input)
     {
-        Picture last;
+        ShownPicture last;
         do {
             if (!audience->wait([&] { return !audience->pictures.empty(); })) {
                 ADD_FAILURE() << "no picture";
@@ -66,7 +66,7 @@ struct Seat {
             last = std::move(audience->pictures.front());
             audience->pictures.pop_front();
             session->seen();
-            desk.nudge();
+            scheduler.nudge();
         } while (last.kind != kind || last.input < input);
         return last;
     }
@@ -74,20 +74,20 @@ struct Seat {
     void change(std::uint64_t input, const Session::Change& change)
     {
         session->change(input, change);
-        desk.nudge();
+        scheduler.nudge();
     }
 
-    Desk& desk;
+    DrawScheduler& scheduler;
     std::shared_ptr<Audience> audience;
     std::shared_ptr<Session> session;
 };
 
-inline Wish small_wish(const std::string& scene)
+inline ViewRequest small_wish(const std::string& scene)
 {
-    Wish wish = plain_wish(scene, "furnace");
-    set_size(wish, 96, 64);
-    set_value(wish.asked, "samples", "8");
-    return wish;
+    ViewRequest request = plain_wish(scene, "furnace");
+    set_size(request, 96, 64);
+    set_value(request.asked, "samples", "8");
+    return request;
 }
 
 // What a command writes that `lambent` starts with.

@@ -28,7 +28,7 @@ std::vector<FirstHit> first_hits(const scene::Scene& scene, const PanoramaView& 
             glm::vec3 albedo(0.0f);
             const float share = 1.0f / static_cast<float>(view.samples);
             for (int i = 0; i < view.samples; ++i) {
-                reference::Sampler sampler(
+                reference::SampleSequence sampler(
                     reference::mixed(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y)),
                     static_cast<std::uint32_t>(i));
                 const auto place = sampler.next4();

@@ -12,7 +12,7 @@ namespace {
 volatile std::sig_atomic_t interrupted = 0;
 timespec first{};
 
-// Who asks again after a moment wants an end at once. Within it the same wish has come by two ways: `timeout` signals
+// Who asks again after a moment wants an end at once. Within it the same signal has come by two ways: `timeout` signals
 // the program and then its whole group.
 void note(int signal)
 {

@@ -1,4 +1,4 @@
-// Ctrl-C as a wish to stop early.
+// Ctrl-C as a request to stop early.
 #pragma once
 
 namespace lambent::cli {

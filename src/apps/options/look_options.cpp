@@ -14,7 +14,7 @@ Group<RenderArguments> material_group()
              .at([](auto& a) -> auto& { return a.settings.model; })
              .says("ggx, as glTF, or phong, as the report",
                    "`ggx`, as glTF says, or `phong`, [as the report](PHONG.md)")
-             .control(12, {"Model", "Surfaces"}),
+             .control(12, {"Shading model", "Surfaces"}),
          R("roughness", "R", number(0.0, 1.0))
              .at([](auto& a) -> auto& { return a.settings.roughness_override; })
              .says("ggx: perceptual roughness of all surfaces, 0 to 1, instead of their own",

@@ -1,6 +1,6 @@
 #include "apps/report/approximations.h"
 
-#include "apps/report/desk.h"
+#include "apps/report/report_context.h"
 #include "base/text.h"
 #include "compare/brightness_fit.h"
 
@@ -10,13 +10,13 @@ namespace lambent::report {
 namespace {
 
 // The whole-sphere mean of what a white specular surface reflects of a white environment, exactly: 1 if none is lost.
-double kept_energy(Workshop& workshop, int exponent)
+double kept_energy(ShotRenderer& renderer, int exponent)
 {
     const Shot shot{"",
                     text("sphere --model phong --kd 0,0,0 --ks 1,1,1 --alpha ", exponent,
                          " --env furnace --background none --camera 0,0 --size 64x64"),
                     "", ""};
-    return mean_on_surfaces(workshop.reference(shot).radiance);
+    return mean_on_surfaces(renderer.reference(shot).radiance);
 }
 
 } // namespace
@@ -33,7 +33,7 @@ const char* const approximations_caption =
     "light "
     "that the exact BRDF itself gives back in a white furnace, 100 % if 1/(L\u00b7H)\u00b2 lost none.";
 
-Table approximations(Workshop& workshop)
+Table approximations(ShotRenderer& renderer)
 {
     Table table{{"\u03b1", "mip level", "matched levels", "lobe around R", "best factor", "lobe's shape",
                  "masking keeps"},
@@ -42,17 +42,17 @@ Table approximations(Workshop& workshop)
         const Shot matched = reflecting(exponent, "matched");
         Shot limit = matched;
         limit.words += " --samples 1024";
-        const std::optional<double> noise = cut_noise(workshop.reference(matched));
-        const image::RadianceImage exact = cut_light(workshop.reference(matched).radiance),
-                                   converged = cut_light(workshop.frame(limit).radiance);
+        const std::optional<double> noise = cut_noise(renderer.reference(matched));
+        const image::RadianceImage exact = cut_light(renderer.reference(matched).radiance),
+                                   converged = cut_light(renderer.frame(limit).radiance);
         const auto error = [&](const Shot& shot) {
-            return compare::brightness_fit({cut_light(workshop.frame(shot).radiance), converged}).error;
+            return compare::brightness_fit({cut_light(renderer.frame(shot).radiance), converged}).error;
         };
         const compare::BrightnessFit lobe = compare::brightness_fit({converged, exact});
         table.rows.push_back({text(exponent), percent(error(reflecting(exponent, "report"))),
                               percent(error(matched)), percent(without_noise(lobe.error, noise)),
                               rounded(lobe.factor), percent(without_noise(lobe.left, noise)),
-                              percent(kept_energy(workshop, exponent))});
+                              percent(kept_energy(renderer, exponent))});
     }
     return table;
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "apps/report/page.h"
-#include "apps/report/workshop.h"
+#include "apps/report/shot_renderer.h"
 
 namespace lambent::report {
 
@@ -10,6 +10,6 @@ namespace lambent::report {
 extern const char* const approximations_caption;
 
 /// A row for each of the reflecting sphere's exponents.
-Table approximations(Workshop& workshop);
+Table approximations(ShotRenderer& renderer);
 
 } // namespace lambent::report

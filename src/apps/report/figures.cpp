@@ -16,16 +16,16 @@ struct Recipe {
 using Recipes = std::vector<Recipe>;
 
 // What a picture is called where its title alone stands.
-std::string title_of(const Picture& picture, const Place& place)
+std::string title_of(const PagePicture& picture, const Place& place)
 {
     const std::string figure = place.number.empty() ? "Cover" : "Figure " + place.number;
     return picture.title.empty() ? figure : figure + " · " + picture.title;
 }
 
-Recipes recipes_of(const std::vector<Picture>& pictures, const Place& place)
+Recipes recipes_of(const std::vector<PagePicture>& pictures, const Place& place)
 {
     Recipes recipes;
-    for (const Picture& picture : pictures) {
+    for (const PagePicture& picture : pictures) {
         const auto same = std::find_if(recipes.begin(), recipes.end(), [&](const Recipe& recipe) {
             return recipe.commands == picture.commands;
         });
@@ -77,7 +77,7 @@ std::string made_html(const Recipes& recipes)
 }
 
 // All boxes of a figure are alike; so are the pictures in nearly all figures.
-std::string frame_style(const std::vector<Picture>& pictures, int columns)
+std::string frame_style(const std::vector<PagePicture>& pictures, int columns)
 {
     if (pictures.empty())
         return "";
@@ -89,7 +89,7 @@ std::string frame_style(const std::vector<Picture>& pictures, int columns)
            ";--width:" + std::to_string(width) + "px\"";
 }
 
-std::string image_html(const Picture& picture, bool is_cover)
+std::string image_html(const PagePicture& picture, bool is_cover)
 {
     std::string alt = picture.alt.empty() ? picture.title : picture.alt;
     if (alt.empty())
@@ -101,7 +101,7 @@ std::string image_html(const Picture& picture, bool is_cover)
 }
 
 // The picture as a link to its file, which the script makes a larger view of.
-std::string view_html(const Picture& picture, const Place& place, const Recipes& recipes)
+std::string view_html(const PagePicture& picture, const Place& place, const Recipes& recipes)
 {
     std::string made;
     for (const Recipe& recipe : recipes)
@@ -122,11 +122,11 @@ int columns_for(std::size_t pictures)
     return pictures % 4 == 0 || pictures % 4 > pictures % 3 ? 4 : 3;
 }
 
-std::string list_html(const std::vector<Picture>& pictures, const Place& place, const Recipes& recipes)
+std::string list_html(const std::vector<PagePicture>& pictures, const Place& place, const Recipes& recipes)
 {
     std::string html =
         "<ul class=\"pictures\" role=\"list\"" + frame_style(pictures, columns_for(pictures.size())) + ">\n";
-    for (const Picture& picture : pictures) {
+    for (const PagePicture& picture : pictures) {
         html += "<li class=\"picture\">" + view_html(picture, place, recipes) + "<div class=\"about\">";
         if (!picture.title.empty())
             html += element("p class=\"title\"", picture.title);
@@ -155,9 +155,9 @@ Content content_of(const Comparison& comparison, const Place& place)
 }
 
 // Pictures of a matrix need no titles of their own.
-std::vector<Picture> titled(const Matrix& matrix)
+std::vector<PagePicture> titled(const Matrix& matrix)
 {
-    std::vector<Picture> pictures = matrix.pictures;
+    std::vector<PagePicture> pictures = matrix.pictures;
     for (std::size_t i = 0; i < pictures.size() && !matrix.columns.empty(); ++i) {
         const std::size_t row = i / matrix.columns.size();
         if (pictures[i].title.empty() && row < matrix.rows.size())
@@ -268,7 +268,7 @@ std::string figure_html(const Figure& figure, const Place& place)
     return html + "</figure>\n";
 }
 
-std::string cover_html(const Picture& cover, Ids& ids)
+std::string cover_html(const PagePicture& cover, Ids& ids)
 {
     const Place place{"cover", "", "", ids};
     const Recipes recipes = recipes_of({cover}, place);

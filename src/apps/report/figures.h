@@ -8,7 +8,7 @@ namespace lambent::report {
 std::string figure_html(const Figure& figure, const Place& place);
 
 /// The picture over everything, with its title, numbers and commands.
-std::string cover_html(const Picture& cover, Ids& ids);
+std::string cover_html(const PagePicture& cover, Ids& ids);
 
 /// A list of names with their values; nothing where there are none.
 std::string numbers_html(const std::vector<Number>& numbers);

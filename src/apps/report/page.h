@@ -12,7 +12,7 @@ struct Number {
     std::string name, value; ///< as shown: "relative error", "1.3 %"
 };
 
-struct Picture {
+struct PagePicture {
     std::string file; ///< relative to the page
     int width = 0, height = 0;
     std::string title;                 ///< a few words: "e = 700"
@@ -23,18 +23,18 @@ struct Picture {
 
 /// Pictures side by side, all framed alike.
 struct Gallery {
-    std::vector<Picture> pictures;
+    std::vector<PagePicture> pictures;
 };
 
 /// Pictures in rows and columns, as a table; row by row, and as many as rows times columns.
 struct Matrix {
     std::vector<std::string> rows, columns; ///< titles
-    std::vector<Picture> pictures;
+    std::vector<PagePicture> pictures;
 };
 
 /// Two or more pictures of one size, of which any two lie on each other with a slider between them.
 struct Comparison {
-    std::vector<Picture> pictures;
+    std::vector<PagePicture> pictures;
 };
 
 struct Table {
@@ -69,7 +69,7 @@ struct Section {
 
 struct Page {
     std::string title, lead;
-    Picture cover;
+    PagePicture cover;
     std::vector<Section> sections;
     std::vector<Number> facts; ///< how it was made, at the end
 };

@@ -16,7 +16,7 @@ Json json_of(const std::vector<Number>& numbers)
     return list;
 }
 
-Json json_of(const Picture& picture)
+Json json_of(const PagePicture& picture)
 {
     return {{"file", picture.file},
             {"width", picture.width},
@@ -27,10 +27,10 @@ Json json_of(const Picture& picture)
             {"numbers", json_of(picture.numbers)}};
 }
 
-Json json_of(const std::vector<Picture>& pictures)
+Json json_of(const std::vector<PagePicture>& pictures)
 {
     Json list = Json::array();
-    for (const Picture& picture : pictures)
+    for (const PagePicture& picture : pictures)
         list.push_back(json_of(picture));
     return list;
 }

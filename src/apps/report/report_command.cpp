@@ -7,7 +7,7 @@
 #include "apps/common/stopwatch.h"
 #include "apps/common/threads.h"
 #include "base/version.h"
-#include "apps/report/desk.h"
+#include "apps/report/report_context.h"
 #include "base/file.h"
 #include "base/text.h"
 
@@ -24,12 +24,12 @@ namespace {
 // Thrown where the user is found to have asked for an end.
 struct Stopped {};
 
-// What a page takes on two ordinary cores, in the workshop's reckoning.
+// What a page takes on two ordinary cores, in the renderer's reckoning.
 constexpr double seconds_of_a_quick_page = 8.0, seconds_of_a_page = 77.0;
 
-report::WorkshopSettings workshop_settings(const ReportArguments& arguments, const NewFolder& folder)
+report::ShotRendererSettings workshop_settings(const ReportArguments& arguments, const NewFolder& folder)
 {
-    report::WorkshopSettings settings;
+    report::ShotRendererSettings settings;
     settings.environment = arguments.environment;
     settings.size = {"--size", text(arguments.width, "x", arguments.height)};
     if (arguments.rotation != 0.0)
@@ -41,25 +41,25 @@ report::WorkshopSettings workshop_settings(const ReportArguments& arguments, con
     return settings;
 }
 
-report::Picture cover(report::Desk& desk)
+report::PagePicture cover(report::ReportContext& context)
 {
-    return desk.workshop.picture(
+    return context.renderer.picture(
         {"grid.jpg", "grid --camera 25,10 --fov 30 --tone neutral --exposure 0.7 --size 960x540",
          "49 spheres in one room",
          "49 gold spheres, rougher to the right, more metallic upwards, before a kitchen"});
 }
 
-report::Page make_page(report::Desk& desk)
+report::Page make_page(report::ReportContext& context)
 {
     report::Page page;
     page.title = "Physically based and image based lighting";
     page.lead =
         "A deferred renderer of 2014, figure by figure, and what has come of it: every picture drawn again "
         "by lambent, measured, and held against a path-traced reference.";
-    page.cover = cover(desk);
-    page.sections = {gallery(desk),       own_pipeline(desk), direct_light(desk),
-                     diffuse_light(desk), background(desk),   specular_light(desk),
-                     passes(desk),        beyond(desk),       making(desk)};
+    page.cover = cover(context);
+    page.sections = {gallery(context),       own_pipeline(context), direct_light(context),
+                     diffuse_light(context), background(context),   specular_light(context),
+                     passes(context),        beyond(context),       making(context)};
     return page;
 }
 
@@ -78,12 +78,13 @@ void write_text(const std::string& content, const std::filesystem::path& path)
     write_file(path, {reinterpret_cast<const std::uint8_t*>(content.data()), content.size()});
 }
 
-void print_stats(const ReportArguments& arguments, const report::Desk& desk, const Stopwatch& watch)
+void print_stats(const ReportArguments& arguments, const report::ReportContext& context,
+                 const Stopwatch& watch)
 {
     // Without references there is none, and where one is not known neither is the largest.
     constexpr double unknown = std::numeric_limits<double>::infinity();
-    double noise = desk.entries.empty() ? unknown : 0.0;
-    for (const report::Entry& entry : desk.entries)
+    double noise = context.entries.empty() ? unknown : 0.0;
+    for (const report::Entry& entry : context.entries)
         noise = std::max(noise, entry.proof.noise.value_or(unknown));
     nlohmann::ordered_json stats = {{"command", "report"},
                                     {"environment", arguments.environment},
@@ -91,7 +92,7 @@ void print_stats(const ReportArguments& arguments, const report::Desk& desk, con
                                     {"backend", "cpu"},
                                     {"width", arguments.width},
                                     {"height", arguments.height},
-                                    {"references", desk.entries.size()},
+                                    {"references", context.entries.size()},
                                     {"reference_noise", nullptr}};
     if (std::isfinite(noise))
         stats["reference_noise"] = noise;
@@ -104,7 +105,7 @@ void make_report(const ReportArguments& arguments, const Interrupt& interrupt, C
     const ThreadLimit limit(arguments.common.threads);
     Stopwatch watch;
     NewFolder folder(arguments.output);
-    report::WorkshopSettings settings = workshop_settings(arguments, folder);
+    report::ShotRendererSettings settings = workshop_settings(arguments, folder);
     double seconds = 0.0;
     settings.progress = [&](double more) {
         if (interrupt.asked())
@@ -113,13 +114,13 @@ void make_report(const ReportArguments& arguments, const Interrupt& interrupt, C
         const double all = arguments.quick ? seconds_of_a_quick_page : seconds_of_a_page;
         console.progress(static_cast<float>(std::min(seconds / all, 0.99)));
     };
-    report::Workshop workshop(settings);
-    report::Desk desk{workshop, !arguments.quick, {}};
+    report::ShotRenderer renderer(settings);
+    report::ReportContext context{renderer, !arguments.quick, {}};
     try {
-        report::Page page = make_page(desk);
-        std::vector<std::string> files = workshop.finish();
+        report::Page page = make_page(context);
+        std::vector<std::string> files = renderer.finish();
         console.end_progress();
-        console.warn_of_input(workshop.warnings(), arguments.common);
+        console.warn_of_input(renderer.warnings(), arguments.common);
         watch.lap("draw");
         add_facts(arguments, watch, page);
         write_text(report::to_json(page), folder.path("report.json"));
@@ -132,7 +133,7 @@ void make_report(const ReportArguments& arguments, const Interrupt& interrupt, C
     watch.lap("write");
     console.remark(text("wrote ", arguments.output, "/index.html"));
     if (arguments.common.stats_json)
-        print_stats(arguments, desk, watch);
+        print_stats(arguments, context, watch);
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "apps/report/desk.h"
+#include "apps/report/report_context.h"
 #include "base/text.h"
 #include "compare/appearance.h"
 
@@ -23,21 +23,21 @@ Shot room(const std::string& exposure)
             "e = " + exposure, "The environment behind a small red sphere, at exposure " + exposure};
 }
 
-void add_tone_numbers(Workshop& workshop, const Shot& shot, Picture& picture)
+void add_tone_numbers(ShotRenderer& renderer, const Shot& shot, PagePicture& picture)
 {
-    const image::CodeImage codes = workshop.codes(shot);
-    const image::RadianceImage& light = workshop.frame(shot).radiance;
+    const image::CodeImage codes = renderer.codes(shot);
+    const image::RadianceImage& light = renderer.frame(shot).radiance;
     picture.numbers.push_back({"mean luminance", percent(compare::displayed_luminance(codes))});
     if (const double kept = compare::kept_hue_order(codes, light); kept < 1.0)
         picture.numbers.push_back({"hue order kept", percent(kept)});
 }
 
-double saturation(Workshop& workshop, const Shot& shot)
+double saturation(ShotRenderer& renderer, const Shot& shot)
 {
-    return compare::mean_saturation(workshop.codes(shot), workshop.frame(shot).radiance);
+    return compare::mean_saturation(renderer.codes(shot), renderer.frame(shot).radiance);
 }
 
-Matrix exposure_table(Desk& desk)
+Matrix exposure_table(ReportContext& context)
 {
     Matrix matrix{{"linear", "nonlinear"}, {}, {}};
     for (const char* exposure : diffuse_exposures)
@@ -47,32 +47,32 @@ Matrix exposure_table(Desk& desk)
             const Shot shot = painted(exposure, space);
             // The light is the same at every exposure: it is proven once.
             matrix.pictures.push_back(space == "linear" && exposure == std::string("1")
-                                          ? desk.proven(shot, "Diffuse light, linear colour")
-                                          : desk.workshop.picture(shot));
-            add_tone_numbers(desk.workshop, shot, matrix.pictures.back());
+                                          ? context.proven(shot, "Diffuse light, linear colour")
+                                          : context.renderer.picture(shot));
+            add_tone_numbers(context.renderer, shot, matrix.pictures.back());
             matrix.pictures.back().numbers.push_back(
-                {"saturation", percent(saturation(desk.workshop, shot))});
+                {"saturation", percent(saturation(context.renderer, shot))});
         }
     return transposed(matrix);
 }
 
-Table saturation_table(Desk& desk)
+Table saturation_table(ReportContext& context)
 {
     Table table{{"exposure", "linear", "nonlinear", "ratio"}, {}};
     for (const char* exposure : diffuse_exposures) {
-        const double linear = saturation(desk.workshop, painted(exposure, "linear")),
-                     nonlinear = saturation(desk.workshop, painted(exposure, "nonlinear"));
+        const double linear = saturation(context.renderer, painted(exposure, "linear")),
+                     nonlinear = saturation(context.renderer, painted(exposure, "nonlinear"));
         table.rows.push_back({exposure, percent(linear), percent(nonlinear), rounded(linear / nonlinear)});
     }
     return table;
 }
 
 // What was found here, which under another light need not be what the report found.
-std::string saturation_caption(Workshop& workshop)
+std::string saturation_caption(ShotRenderer& renderer)
 {
     const auto more = [&](const char* exposure) {
-        return saturation(workshop, painted(exposure, "linear")) >
-               saturation(workshop, painted(exposure, "nonlinear"));
+        return saturation(renderer, painted(exposure, "linear")) >
+               saturation(renderer, painted(exposure, "nonlinear"));
     };
     const std::string what = "Mean of (max - min) / max over the surfaces, as displayed. ";
     return what +
@@ -83,11 +83,11 @@ std::string saturation_caption(Workshop& workshop)
 }
 
 // Whether each exposure, the highest first, shows more light than the next.
-bool luminance_falls(Workshop& workshop)
+bool luminance_falls(ShotRenderer& renderer)
 {
     double before = 2.0;
     for (const char* exposure : background_exposures) {
-        const double luminance = compare::displayed_luminance(workshop.codes(room(exposure)));
+        const double luminance = compare::displayed_luminance(renderer.codes(room(exposure)));
         if (luminance >= before)
             return false;
         before = luminance;
@@ -97,7 +97,7 @@ bool luminance_falls(Workshop& workshop)
 
 } // namespace
 
-Section diffuse_light(Desk& desk)
+Section diffuse_light(ReportContext& context)
 {
     Section section{
         "diffuse",
@@ -111,13 +111,13 @@ Section diffuse_light(Desk& desk)
          "The same light at five exposures. The luminance is what a display shows. In the brightest tenth no "
          "channel overtakes another, unless a picture says so. Nonlinear colour pales first: its "
          "codes are sums of numbers that are not light.",
-         exposure_table(desk)});
-    section.figures.push_back({"diffuse-saturation", "Saturation measured", saturation_caption(desk.workshop),
-                               saturation_table(desk)});
+         exposure_table(context)});
+    section.figures.push_back({"diffuse-saturation", "Saturation measured",
+                               saturation_caption(context.renderer), saturation_table(context)});
     return section;
 }
 
-Section background(Desk& desk)
+Section background(ReportContext& context)
 {
     Section section{
         "background",
@@ -128,13 +128,13 @@ Section background(Desk& desk)
     Gallery pictures;
     for (const char* exposure : background_exposures) {
         const Shot shot = room(exposure);
-        pictures.pictures.push_back(exposure == std::string("1") ? desk.proven(shot, "Background")
-                                                                 : desk.workshop.picture(shot));
-        add_tone_numbers(desk.workshop, shot, pictures.pictures.back());
+        pictures.pictures.push_back(exposure == std::string("1") ? context.proven(shot, "Background")
+                                                                 : context.renderer.picture(shot));
+        add_tone_numbers(context.renderer, shot, pictures.pictures.back());
     }
     section.figures.push_back(
         {"background-exposures", "Six exposures",
-         luminance_falls(desk.workshop)
+         luminance_falls(context.renderer)
              ? "From 7000 down to 0.1: the mean luminance that is displayed falls with each step. No channel "
                "of the highlights overtakes another, unless a picture says so."
              : "From 7000 down to 0.1. Under this light some steps show the same mean luminance.",

@@ -1,4 +1,4 @@
-#include "apps/report/desk.h"
+#include "apps/report/report_context.h"
 #include "apps/report/oval.h"
 #include "compare/appearance.h"
 
@@ -44,10 +44,10 @@ Shot streak()
             "\u03b1 = 20", "A plane with a highlight drawn out towards the viewer", false};
 }
 
-void add_luminance(Workshop& workshop, const Shot& shot, Picture& picture)
+void add_luminance(ShotRenderer& renderer, const Shot& shot, PagePicture& picture)
 {
     picture.numbers.push_back(
-        {"mean luminance", percent(compare::displayed_luminance(workshop.codes(shot)))});
+        {"mean luminance", percent(compare::displayed_luminance(renderer.codes(shot)))});
 }
 
 } // namespace
@@ -57,7 +57,7 @@ std::vector<Shot> direct_shots()
     return {glancing(), lit_side(), with_point(), teapot(), streak()};
 }
 
-Section direct_light(Desk& desk)
+Section direct_light(ReportContext& context)
 {
     Section section{
         "direct",
@@ -68,8 +68,8 @@ Section direct_light(Desk& desk)
         {}};
     Gallery spheres;
     for (const Shot& shot : {glancing(), lit_side(), with_point()}) {
-        spheres.pictures.push_back(desk.proven(shot, "Sphere " + shot.title));
-        add_luminance(desk.workshop, shot, spheres.pictures.back());
+        spheres.pictures.push_back(context.proven(shot, "Sphere " + shot.title));
+        add_luminance(context.renderer, shot, spheres.pictures.back());
     }
     section.figures.push_back(
         {"direct-sphere", "A sphere at \u03b1 = 0.1",
@@ -77,10 +77,11 @@ Section direct_light(Desk& desk)
          "local point light.",
          spheres});
     Gallery sharp;
-    sharp.pictures.push_back(desk.proven(teapot(), "Teapot"));
-    add_luminance(desk.workshop, teapot(), sharp.pictures.back());
-    sharp.pictures.push_back(desk.proven(streak(), "Plane under a low light"));
-    const Oval oval = highlight_shape(desk.workshop.frame(streak()).radiance, desk.workshop.camera(streak()));
+    sharp.pictures.push_back(context.proven(teapot(), "Teapot"));
+    add_luminance(context.renderer, teapot(), sharp.pictures.back());
+    sharp.pictures.push_back(context.proven(streak(), "Plane under a low light"));
+    const Oval oval =
+        highlight_shape(context.renderer.frame(streak()).radiance, context.renderer.camera(streak()));
     sharp.pictures.back().numbers.push_back(
         {"highlight, length to width on the plane", rounded(oval.on_ground) + " : 1"});
     sharp.pictures.back().numbers.push_back({"in the picture", rounded(oval.in_picture) + " : 1"});

@@ -1,4 +1,4 @@
-#include "apps/report/desk.h"
+#include "apps/report/report_context.h"
 
 namespace lambent::report {
 namespace {
@@ -35,7 +35,7 @@ Shot kitchen()
 
 } // namespace
 
-Section gallery(Desk& desk)
+Section gallery(ReportContext& context)
 {
     Section section{
         "gallery",
@@ -46,7 +46,7 @@ Section gallery(Desk& desk)
         {}};
     Gallery pictures;
     for (const Shot& shot : {report(), porcelain(), kitchen(), phong()})
-        pictures.pictures.push_back(desk.workshop.picture(shot));
+        pictures.pictures.push_back(context.renderer.picture(shot));
     section.figures.push_back({"gallery-pictures", "Four pictures",
                                "Each with the command that draws it, as all figures of this page.",
                                pictures});

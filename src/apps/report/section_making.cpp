@@ -1,16 +1,16 @@
-#include "apps/report/desk.h"
+#include "apps/report/report_context.h"
 #include "base/text.h"
 
 namespace lambent::report {
 
-Section making(const Desk& desk)
+Section making(const ReportContext& context)
 {
-    const WorkshopSettings& settings = desk.workshop.settings();
+    const ShotRendererSettings& settings = context.renderer.settings();
     Section section{"making", "The commands", {}, {}};
     section.text.push_back(
         "Under every picture stands the command that makes it, exactly: the files beside this page "
         "are, byte for byte, what these commands write on the same machine.");
-    if (desk.references)
+    if (context.references)
         section.text.push_back(
             text("References stop at an estimated relative error of ", percent(settings.noise), " or at ",
                  settings.samples,

@@ -1,5 +1,5 @@
 #include "apps/common/layer_files.h"
-#include "apps/report/desk.h"
+#include "apps/report/report_context.h"
 #include "base/text.h"
 
 #include <algorithm>
@@ -53,30 +53,30 @@ double worst_difference(const draw::Frame& frame)
     return worst;
 }
 
-Picture layer_of(Workshop& workshop, const draw::Layer& layer)
+PagePicture layer_of(ShotRenderer& renderer, const draw::Layer& layer)
 {
     const Description& words = described.at(layer.name);
     const std::string file = text("passes-", layer.name, ".png");
-    image::CodeImage codes = cli::layer_picture(layer, parse_render(workshop.words_of(scene())).display);
-    Picture picture{file, codes.width, codes.height, words.title, words.alt, {}, {}};
-    Words command = workshop.words_of(scene());
+    image::CodeImage codes = cli::layer_picture(layer, parse_render(renderer.words_of(scene())).display);
+    PagePicture picture{file, codes.width, codes.height, words.title, words.alt, {}, {}};
+    Words command = renderer.words_of(scene());
     command.insert(command.begin(), {"lambent", "render"});
     command.insert(command.end(), {"--layers", "layers", "-o", "passes-sum.png"});
     picture.commands = {typed(command), typed({"cp", text("layers/", layer.name, ".png"), file})};
-    workshop.write(std::move(codes), file);
+    renderer.write(std::move(codes), file);
     return picture;
 }
 
 } // namespace
 
-Section passes(Desk& desk)
+Section passes(ReportContext& context)
 {
-    const draw::Frame frame = desk.workshop.layers(scene());
+    const draw::Frame frame = context.renderer.layers(scene());
     Gallery buffer, light;
     for (const draw::Layer& layer : frame.layers)
         if (described.contains(layer.name))
-            (is_light(layer) ? light : buffer).pictures.push_back(layer_of(desk.workshop, layer));
-    Picture sum = desk.workshop.picture(scene());
+            (is_light(layer) ? light : buffer).pictures.push_back(layer_of(context.renderer, layer));
+    PagePicture sum = context.renderer.picture(scene());
     sum.numbers.push_back({"furthest from the sum of its passes", rounded(worst_difference(frame))});
     light.pictures.push_back(std::move(sum));
     Section section{

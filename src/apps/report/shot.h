@@ -14,8 +14,8 @@ using Words = std::vector<std::string>;
 struct Shot {
     std::string name;  ///< of its file, without ".png"; or with ".jpg"
     std::string words; ///< of `lambent render` between that and -o, apart by spaces: "sphere --model phong"
-    std::string title; ///< as Picture's
-    std::string alt;   ///< as Picture's
+    std::string title; ///< as PagePicture's
+    std::string alt;   ///< as PagePicture's
     bool lit = true;   ///< by the report's environment; else by none
 };
 

@@ -12,10 +12,10 @@ namespace lambent::serve {
 
 struct House {
     ServerOptions options;
-    viewer::Wish start;
+    viewer::ViewRequest start;
     viewer::FileList files;
-    viewer::Stock& stock; ///< any thread
-    viewer::Desk& desk;   ///< any thread
+    viewer::AssetCache& assets;       ///< any thread
+    viewer::DrawScheduler& scheduler; ///< any thread
     Gate gate;
     int connections = 0, refusals = 0;
     std::atomic<int> sessions = 0; ///< any thread may read it

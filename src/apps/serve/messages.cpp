@@ -12,8 +12,8 @@ namespace lambent::serve {
 namespace {
 
 using nlohmann::json;
-using viewer::Eye;
-using viewer::Wish;
+using viewer::OrbitCamera;
+using viewer::ViewRequest;
 
 struct Said {
     const json& message;
@@ -74,44 +74,45 @@ using Action = std::function<void(const Said&)>;
 
 const std::map<std::string, Action, std::less<>>& actions()
 {
-    using World = Eye::World;
+    using World = OrbitCamera::World;
     static const std::map<std::string, Action, std::less<>> actions = {
         {"orbit",
          [](const Said& s) {
              const double x = s.number("x"), y = s.number("y");
-             s.change([&](Wish& wish, const World&) { wish.eye.orbit(x, y); });
+             s.change([&](ViewRequest& request, const World&) { request.eye.orbit(x, y); });
          }},
         {"pan",
          [](const Said& s) {
              const double x = s.number("x"), y = s.number("y");
-             s.change([&](Wish& wish, const World& world) {
-                 wish.eye.pan(world, x, y, viewer::number_in(wish.asked, "fov"));
+             s.change([&](ViewRequest& request, const World& world) {
+                 request.eye.pan(world, x, y, viewer::number_in(request.asked, "fov"));
              });
          }},
         {"dolly",
          [](const Said& s) {
              const double by = s.number("by");
-             s.change([&](Wish& wish, const World& world) { wish.eye.dolly(world, by); });
+             s.change([&](ViewRequest& request, const World& world) { request.eye.dolly(world, by); });
          }},
         {"turn",
          [](const Said& s) {
              const double by = s.number("by");
-             s.change([&](Wish& wish, const World&) { viewer::turn_environment(wish, by); });
+             s.change([&](ViewRequest& request, const World&) { viewer::turn_environment(request, by); });
          }},
         {"set",
          [](const Said& s) {
              const std::string name = s.word("name"), value = s.value();
-             s.change([&](Wish& wish, const World&) { viewer::set_value(wish.asked, name, value); });
+             s.change(
+                 [&](ViewRequest& request, const World&) { viewer::set_value(request.asked, name, value); });
          }},
         {"lights",
          [](const Said& s) {
              const std::vector<std::string> list = s.words("list");
-             s.change([&](Wish& wish, const World&) { viewer::set_lights(wish, list); });
+             s.change([&](ViewRequest& request, const World&) { viewer::set_lights(request, list); });
          }},
         {"size",
          [](const Said& s) {
              const double width = s.number("width"), height = s.number("height");
-             s.change([&](Wish& wish, const World&) { viewer::set_size(wish, width, height); });
+             s.change([&](ViewRequest& request, const World&) { viewer::set_size(request, width, height); });
          }},
         {"animate", [](const Said& s) { s.session.animate(s.id, s.number("number")); }},
         {"moment", [](const Said& s) { s.session.seek(s.id, s.number("seconds")); }},

@@ -374,7 +374,7 @@ document.addEventListener('dragover', event => event.preventDefault());
 document.addEventListener('drop', event => {
     event.preventDefault();
     if (event.dataTransfer.files.length > 0)
-        trouble('Files are opened from the folders of the server: choose one under Model or Light around.');
+        trouble('Files are opened from the folders of the server: choose one under Model or Environment.');
 });
 canvas.addEventListener('wheel', event => {
     event.preventDefault();

@@ -18,16 +18,16 @@ void run(const ServeArguments& arguments)
     const RenderArguments& picture = arguments.start.picture;
     const ThreadLimit limit(picture.common.threads);
     const Console console(picture.common.verbosity);
-    viewer::Stock stock({picture.cache,
-                         picture.backend,
-                         [&](const std::string& line) { console.warn({line}); },
-                         picture.common.strict,
-                         {false, viewer::folders_named(picture)}});
-    const viewer::Wish start = viewer::load_first(arguments.start, stock, console);
-    viewer::Desk desk(stock);
+    viewer::AssetCache assets({picture.cache,
+                               picture.backend,
+                               [&](const std::string& line) { console.warn({line}); },
+                               picture.common.strict,
+                               {false, viewer::folders_named(picture)}});
+    const viewer::ViewRequest start = viewer::load_first(arguments.start, assets, console);
+    viewer::DrawScheduler scheduler(assets);
     serve::ServerOptions options{arguments.host, arguments.port, arguments.token, {}};
     options.limits.sessions = arguments.sessions;
-    serve::Server server(options, start, viewer::FileList(viewer::folders_named(picture)), stock, desk);
+    serve::Server server(options, start, viewer::FileList(viewer::folders_named(picture)), assets, scheduler);
     server.stop_on_signals();
     std::printf("%s\n", server.url().c_str());
     if (std::fflush(stdout) != 0)

@@ -54,9 +54,9 @@ bool is_loopback(const std::string& host)
 
 class Server::Impl {
 public:
-    Impl(ServerOptions options, viewer::Wish start, viewer::FileList files, viewer::Stock& stock,
-         viewer::Desk& desk)
-        : house_(new House{std::move(options), std::move(start), std::move(files), stock, desk, {}}),
+    Impl(ServerOptions options, viewer::ViewRequest start, viewer::FileList files, viewer::AssetCache& assets,
+         viewer::DrawScheduler& scheduler)
+        : house_(new House{std::move(options), std::move(start), std::move(files), assets, scheduler, {}}),
           acceptor_(context_), pause_(context_)
     {
         const asio::ip::address address = address_of(house_->options.host);
@@ -76,8 +76,8 @@ public:
 
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
-    // What the desk shows is handed over through the context, which goes now.
-    ~Impl() { house_->desk.stop(); }
+    // What the scheduler shows is handed over through the context, which goes now.
+    ~Impl() { house_->scheduler.stop(); }
 
     std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
 
@@ -127,9 +127,9 @@ private:
     std::optional<asio::signal_set> signals_;
 };
 
-Server::Server(ServerOptions options, viewer::Wish start, viewer::FileList files, viewer::Stock& stock,
-               viewer::Desk& desk)
-    : impl_(std::make_unique<Impl>(std::move(options), std::move(start), std::move(files), stock, desk))
+Server::Server(ServerOptions options, viewer::ViewRequest start, viewer::FileList files,
+               viewer::AssetCache& assets, viewer::DrawScheduler& scheduler)
+    : impl_(std::make_unique<Impl>(std::move(options), std::move(start), std::move(files), assets, scheduler))
 {
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "apps/viewer/file_list.h"
-#include "apps/viewer/desk.h"
+#include "apps/viewer/draw_scheduler.h"
 
 #include <cstdint>
 #include <memory>
@@ -34,11 +34,11 @@ bool is_loopback(const std::string& host);
 
 class Server {
 public:
-    /// Listens. `start` is what each viewer sees first. The stock and the desk must outlive it; the desk is stopped at
+    /// Listens. `start` is what each viewer sees first. The assets and the scheduler must outlive it; the scheduler is stopped at
     /// its end.
     /// Throws Error(usage) for a host that is no address, Error(no_device) if the port cannot be had.
-    Server(ServerOptions options, viewer::Wish start, viewer::FileList files, viewer::Stock& stock,
-           viewer::Desk& desk);
+    Server(ServerOptions options, viewer::ViewRequest start, viewer::FileList files,
+           viewer::AssetCache& assets, viewer::DrawScheduler& scheduler);
     Server(const Server&) = delete;
     Server& operator=(const Server&) = delete;
     ~Server();

@@ -21,11 +21,11 @@ namespace asio = boost::asio;
 namespace beast = boost::beast;
 namespace websocket = beast::websocket;
 using viewer::Clock;
-using viewer::Picture;
+using viewer::ShownPicture;
 
 class WebViewer;
 
-// Called by the desk: encodes there and hands over to the serving thread.
+// Called by the scheduler: encodes there and hands over to the serving thread.
 class WebPresenter : public viewer::Presenter {
 public:
     explicit WebPresenter(asio::any_io_executor executor) : executor_(std::move(executor)) {}
@@ -33,7 +33,7 @@ public:
     /// Before the session begins, by the serving thread.
     void set_viewer(std::weak_ptr<WebViewer> viewer) { viewer_ = std::move(viewer); }
 
-    void show(Picture picture) override;
+    void show(ShownPicture picture) override;
     void say(const std::string& state) override;
     void save(viewer::Saved saved) override;
 
@@ -62,7 +62,7 @@ public:
     ~WebViewer()
     {
         if (session_)
-            house_->desk.remove(session_);
+            house_->scheduler.remove(session_);
     }
 
     void start(UpgradeRequest request)
@@ -97,9 +97,9 @@ private:
     void begin()
     {
         presenter_->set_viewer(weak_from_this());
-        session_ = std::make_shared<viewer::Session>(house_->start, house_->stock, presenter_);
+        session_ = std::make_shared<viewer::Session>(house_->start, house_->assets, presenter_);
         send_text(hello(house_->files));
-        house_->desk.add(session_);
+        house_->scheduler.add(session_);
         read();
     }
 
@@ -129,7 +129,7 @@ private:
             const std::string_view message(static_cast<const char*>(bytes.data()), bytes.size());
             if (hear(message, *session_, house_->files) == Heard::seen)
                 note_seen();
-            house_->desk.nudge();
+            house_->scheduler.nudge();
         } catch (const Malformed& malformed) {
             return close(websocket::close_code::bad_payload, malformed.what());
         } catch (const Error& error) {
@@ -222,9 +222,9 @@ void WebPresenter::hand_over(std::vector<std::uint8_t> bytes, bool is_text, bool
                });
 }
 
-void WebPresenter::show(Picture picture)
+void WebPresenter::show(ShownPicture picture)
 {
-    using Kind = Picture::Kind;
+    using Kind = ShownPicture::Kind;
     // What will soon be replaced need not be without loss.
     const bool lossy = picture.kind == Kind::moving || (picture.kind == Kind::traced && !picture.is_last);
     nlohmann::ordered_json header = {{"type", "frame"},
@@ -237,7 +237,7 @@ void WebPresenter::show(Picture picture)
                                      {"input", picture.input},
                                      {"moment", picture.moment},
                                      {"last", picture.is_last}};
-    if (const std::optional<Picture::Traced>& traced = picture.traced) {
+    if (const std::optional<ShownPicture::Traced>& traced = picture.traced) {
         header["traced"] = {{"samples", traced->samples}, {"error", traced->error}};
         if (traced->noise)
             header["traced"]["noise"] = *traced->noise;

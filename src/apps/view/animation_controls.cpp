@@ -34,7 +34,7 @@ void show_animation(viewer::Session& session)
     show_choice(session, playing);
     const double seconds = playing.now.seconds;
     auto moment = static_cast<float>(playing.moment);
-    if (seconds > 0.0 && ImGui::SliderFloat("Moment", &moment, 0.0f, static_cast<float>(seconds), "%.3f s",
+    if (seconds > 0.0 && ImGui::SliderFloat("Time", &moment, 0.0f, static_cast<float>(seconds), "%.3f s",
                                             ImGuiSliderFlags_AlwaysClamp))
         session.seek(0, static_cast<double>(moment));
     if (ImGui::Button(playing.on ? "Pause (Space)" : "Play (Space)"))

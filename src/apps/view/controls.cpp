@@ -12,7 +12,7 @@
 namespace lambent::view_window {
 namespace {
 
-using viewer::Eye, viewer::Parameter, viewer::Session, viewer::Wish;
+using viewer::OrbitCamera, viewer::Parameter, viewer::Session, viewer::ViewRequest;
 
 // A value that a control was moved to.
 using Moved = std::optional<std::string>;
@@ -96,8 +96,9 @@ Moved control(const Parameter& row, const std::string& word)
 
 void set(Session& session, const Parameter& row, const std::string& word)
 {
-    session.change(
-        0, [&](Wish& wish, const Eye::World&) { viewer::set_value(wish.asked, row.option.name, word); });
+    session.change(0, [&](ViewRequest& request, const OrbitCamera::World&) {
+        viewer::set_value(request.asked, row.option.name, word);
+    });
 }
 
 } // namespace

@@ -98,8 +98,9 @@ void LightControls::show(viewer::Session& session, const std::vector<std::string
         return;
     words_.clear();
     std::transform(lights_.begin(), lights_.end(), std::back_inserter(words_), viewer::light_word);
-    session.change(0,
-                   [&](viewer::Wish& wish, const viewer::Eye::World&) { viewer::set_lights(wish, words_); });
+    session.change(0, [&](viewer::ViewRequest& request, const viewer::OrbitCamera::World&) {
+        viewer::set_lights(request, words_);
+    });
 }
 
 } // namespace lambent::view_window

@@ -72,7 +72,7 @@ std::string as_typed(const std::string& words)
     return name.starts_with("~/") && home ? home + name.substr(1) : name;
 }
 
-std::optional<Opening> OpenControls::show(const viewer::Wish& wish)
+std::optional<Opening> OpenControls::show(const viewer::ViewRequest& request)
 {
     std::optional<Opening> opening;
     const auto combo = [&](const char* label, const std::string& now, bool is_environment) {
@@ -84,8 +84,8 @@ std::optional<Opening> OpenControls::show(const viewer::Wish& wish)
             opening = {name, is_environment};
         ImGui::EndCombo();
     };
-    combo("Model", wish.asked.scene, false);
-    combo("Light around", wish.asked.environment, true);
+    combo("Model", request.asked.scene, false);
+    combo("Environment", request.asked.environment, true);
     const bool entered = ImGui::InputTextWithHint("##path", "path of a file", typed_.data(), typed_.size(),
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::SameLine();

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "apps/viewer/file_list.h"
-#include "apps/viewer/wish.h"
+#include "apps/viewer/view_request.h"
 
 #include <array>
 #include <optional>
@@ -24,7 +24,7 @@ public:
     explicit OpenControls(viewer::FileList files) : files_(std::move(files)) {}
 
     /// What was chosen or typed, if anything.
-    std::optional<Opening> show(const viewer::Wish& wish);
+    std::optional<Opening> show(const viewer::ViewRequest& request);
 
 private:
     viewer::FileList files_;

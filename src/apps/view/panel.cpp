@@ -2,7 +2,7 @@
 
 #include "apps/view/animation_controls.h"
 #include "apps/view/controls.h"
-#include "apps/view/hands.h"
+#include "apps/view/input_handler.h"
 #include "base/error.h"
 #include "base/text.h"
 
@@ -52,7 +52,7 @@ std::string percent(double part)
 
 std::string traced_status(const std::string& size, const Shown& shown)
 {
-    const viewer::Picture::Traced& traced = *shown.traced;
+    const viewer::ShownPicture::Traced& traced = *shown.traced;
     std::string line = text(size, ", traced: ", std::lround(traced.samples), " samples");
     if (traced.noise)
         line += text(", noise ", percent(*traced.noise));
@@ -70,8 +70,8 @@ std::string status(const Shown& shown)
     if (shown.traced)
         return traced_status(size, shown);
     const std::string ms = text(std::lround(shown.draw_ms), " ms");
-    if (shown.kind != viewer::Picture::Kind::moving)
-        return text(size, ", ", ms, shown.kind == viewer::Picture::Kind::still ? ", refining" : "");
+    if (shown.kind != viewer::ShownPicture::Kind::moving)
+        return text(size, ", ", ms, shown.kind == viewer::ShownPicture::Kind::still ? ", refining" : "");
     const std::string rate = shown.rate > 0.0 ? text(std::lround(shown.rate), "/s, ") : "";
     return text(rate, size, " at ", std::lround(100.0 * shown.scale), " %, ", ms);
 }
@@ -157,16 +157,16 @@ Pressed Panels::show_panel(viewer::Session& session, const Shown& shown)
     ImGui::SetNextWindowSize({panel_width(), io.DisplaySize.y - line_height()});
     if (ImGui::Begin("lambent", &is_open, quiet)) {
         ImGui::PushItemWidth(0.5f * panel_width());
-        const viewer::Wish wish = session.wish();
+        const viewer::ViewRequest request = session.request();
         try {
-            const std::optional<Opening> opening = files_.show(wish);
+            const std::optional<Opening> opening = files_.show(request);
             pressed = show_buttons();
             pressed.opening = opening;
             for (const std::string& warning : shown.warnings)
                 wrapped(text("Warning: ", warning), yellow);
             show_animation(session);
-            lights_.show(session, wish.asked.light_words);
-            show_controls(session, wish.asked);
+            lights_.show(session, request.asked.light_words);
+            show_controls(session, request.asked);
         } catch (const Error& error) {
             pressed.refusal = error.what();
         }

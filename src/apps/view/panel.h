@@ -13,17 +13,17 @@ namespace lambent::view_window {
 
 /// What is shown at the moment.
 struct Shown {
-    viewer::Picture::Kind kind = viewer::Picture::Kind::moving;
+    viewer::ShownPicture::Kind kind = viewer::ShownPicture::Kind::moving;
     int width = 0, height = 0; ///< of the picture's own pixels
     double scale = 1.0, draw_ms = 0.0;
-    double rate = 0.0;                             ///< pictures a second while something moves; 0: not known
-    std::optional<viewer::Picture::Traced> traced; ///< of the reference, if that is shown
-    bool is_last = false;                          ///< nothing better follows
+    double rate = 0.0; ///< pictures a second while something moves; 0: not known
+    std::optional<viewer::ShownPicture::Traced> traced; ///< of the reference, if that is shown
+    bool is_last = false;                               ///< nothing better follows
     bool loading = true;
     bool saving = false, ending = false; ///< ending: the window closes when what is saved is
     std::vector<std::string> warnings;   ///< of the scene
     std::string error;                   ///< of the session; empty: none
-    std::string refusal;                 ///< why the last wish was not taken; empty: it was
+    std::string refusal;                 ///< why the last request was not taken; empty: it was
     std::string notice;                  ///< what was done last; empty: nothing, or long ago
     std::string command;                 ///< that draws this picture
 };

@@ -6,7 +6,7 @@
 
 namespace lambent::view_window {
 
-void Screen::show(viewer::Picture picture)
+void Screen::show(viewer::ShownPicture picture)
 {
     {
         const std::lock_guard lock(mutex_);

@@ -1,7 +1,7 @@
 // Takes what the session shows, for the window's thread to fetch.
 #pragma once
 
-#include "apps/viewer/picture.h"
+#include "apps/viewer/shown_picture.h"
 
 #include <mutex>
 #include <optional>
@@ -12,13 +12,13 @@ namespace lambent::view_window {
 
 class Screen : public viewer::Presenter {
 public:
-    void show(viewer::Picture picture) override;
+    void show(viewer::ShownPicture picture) override;
     void say(const std::string& state) override;
     void save(viewer::Saved saved) override;
 
     /// What came since it was last asked for; of pictures the newest. `shown` counts those that came.
     struct News {
-        std::optional<viewer::Picture> picture;
+        std::optional<viewer::ShownPicture> picture;
         int shown = 0;
         std::optional<std::string> state;
         std::vector<viewer::Saved> saved;

@@ -37,19 +37,20 @@ std::string title_of(const std::string& scene)
 
 } // namespace
 
-View::View(viewer::Wish start, const Memory& memory, viewer::FileList files, viewer::Stock& stock)
-    : window_(title_of(start.asked.scene), memory.place), desk_(stock), screen_(std::make_shared<Screen>()),
-      panels_(std::move(files), memory.panel)
+View::View(viewer::ViewRequest start, const Memory& memory, viewer::FileList files,
+           viewer::AssetCache& assets)
+    : window_(title_of(start.asked.scene), memory.place), scheduler_(assets),
+      screen_(std::make_shared<Screen>()), panels_(std::move(files), memory.panel)
 {
     const Window::Pixels pixels = window_.pixels();
     viewer::set_size(start, pixels.width, pixels.height);
-    session_ = std::make_shared<viewer::Session>(start, stock, screen_);
-    desk_.add(session_);
+    session_ = std::make_shared<viewer::Session>(start, assets, screen_);
+    scheduler_.add(session_);
 }
 
 View::~View()
 {
-    desk_.remove(session_);
+    scheduler_.remove(session_);
 }
 
 Memory View::run(const std::function<bool()>& stopped)
@@ -101,7 +102,7 @@ void View::draw()
         refuse(error.what());
     }
     window_.end();
-    desk_.nudge();
+    scheduler_.nudge();
 }
 
 void View::act(const Pressed& pressed, const Asked& asked)
@@ -142,14 +143,14 @@ void View::take_news()
         awaited_ = 0;
         give_up_saving(nlohmann::json::parse(session_->state(), nullptr, false).value("error", ""));
     }
-    shown_.command = viewer::command_of(session_->wish(), "picture.png");
+    shown_.command = viewer::command_of(session_->request(), "picture.png");
     if (Clock::now() - noticed_ > notice_lasts)
         shown_.notice.clear();
     if (Clock::now() - refused_ > refusal_lasts)
         shown_.refusal.clear();
 }
 
-void View::take_picture(const viewer::Picture& picture)
+void View::take_picture(const viewer::ShownPicture& picture)
 {
     canvas_.set(picture.codes);
     shown_.kind = picture.kind;
@@ -160,7 +161,7 @@ void View::take_picture(const viewer::Picture& picture)
     shown_.traced = picture.traced;
     shown_.is_last = picture.is_last;
     const Clock::time_point now = Clock::now();
-    if (picture.kind == viewer::Picture::Kind::moving)
+    if (picture.kind == viewer::ShownPicture::Kind::moving)
         recent_.push_back(now);
     while (!recent_.empty() && now - recent_.front() > rate_over)
         recent_.pop_front();
@@ -175,7 +176,7 @@ void View::take_state(const std::string& words)
     shown_.loading = state.value("loading", false);
     shown_.error = state.value("error", "");
     shown_.warnings = state.value("warnings", std::vector<std::string>());
-    window_.set_title(title_of(session_->wish().asked.scene));
+    window_.set_title(title_of(session_->request().asked.scene));
 }
 
 void View::write(const viewer::Saved& saved)
@@ -199,14 +200,14 @@ void View::give_up_saving(const std::string& why)
 void View::follow_size()
 {
     const Window::Pixels pixels = window_.pixels();
-    viewer::Wish wanted = session_->wish();
+    viewer::ViewRequest wanted = session_->request();
     const cli::RenderArguments now = wanted.asked;
     viewer::set_size(wanted, pixels.width, pixels.height);
     const draw::Settings& settings = wanted.asked.settings;
     if (pixels.width < 1 || (settings.width == now.settings.width && settings.height == now.settings.height))
         return; // also while it is an icon
-    session_->change(0, [&](viewer::Wish& wish, const viewer::Eye::World&) {
-        viewer::set_size(wish, pixels.width, pixels.height);
+    session_->change(0, [&](viewer::ViewRequest& request, const viewer::OrbitCamera::World&) {
+        viewer::set_size(request, pixels.width, pixels.height);
     });
 }
 

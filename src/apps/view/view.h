@@ -2,12 +2,12 @@
 #pragma once
 
 #include "apps/view/canvas.h"
-#include "apps/view/hands.h"
+#include "apps/view/input_handler.h"
 #include "apps/view/memory.h"
 #include "apps/view/panel.h"
 #include "apps/view/screen.h"
 #include "apps/view/window.h"
-#include "apps/viewer/desk.h"
+#include "apps/viewer/draw_scheduler.h"
 
 #include <chrono>
 #include <deque>
@@ -17,11 +17,11 @@
 
 namespace lambent::view_window {
 
-/// The window's thread; pictures are drawn by the desk's.
+/// The window's thread; pictures are drawn by the scheduler's.
 class View {
 public:
     /// Throws Error(no_device) where no window can be opened.
-    View(viewer::Wish start, const Memory& memory, viewer::FileList files, viewer::Stock& stock);
+    View(viewer::ViewRequest start, const Memory& memory, viewer::FileList files, viewer::AssetCache& assets);
     ~View();
     View(const View&) = delete;
     View& operator=(const View&) = delete;
@@ -38,7 +38,7 @@ private:
     void draw();
     void act(const Pressed& pressed, const Asked& asked);
     void take_news();
-    void take_picture(const viewer::Picture& picture);
+    void take_picture(const viewer::ShownPicture& picture);
     void take_state(const std::string& words);
     void write(const viewer::Saved& saved);
     void give_up_saving(const std::string& why);
@@ -49,7 +49,7 @@ private:
 
     Window window_;
     Canvas canvas_;
-    viewer::Desk desk_;
+    viewer::DrawScheduler scheduler_;
     std::shared_ptr<Screen> screen_;
     std::shared_ptr<viewer::Session> session_;
     Panels panels_;

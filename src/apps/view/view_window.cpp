@@ -41,15 +41,15 @@ void run(const cli::ViewArguments& arguments)
     const bool has_size = arguments.start.given("size");
     if (has_size)
         memory.place = {picture.settings.width, picture.settings.height, before.place.corner, false};
-    viewer::Stock stock({picture.cache,
-                         picture.backend,
-                         [&](const std::string& line) { console.warn({line}); },
-                         picture.common.strict,
-                         {true, {}}});
-    const viewer::Wish start = viewer::load_first(arguments.start, stock, console);
+    viewer::AssetCache assets({picture.cache,
+                               picture.backend,
+                               [&](const std::string& line) { console.warn({line}); },
+                               picture.common.strict,
+                               {true, {}}});
+    const viewer::ViewRequest start = viewer::load_first(arguments.start, assets, console);
     // Until here there is nothing to lose.
     const cli::Interrupt interrupt;
-    View view(start, memory, viewer::FileList(folders(picture)), stock);
+    View view(start, memory, viewer::FileList(folders(picture)), assets);
     memory = view.run([&] { return interrupt.asked(); });
     if (has_size) // a size for once
         memory.place = before.place;

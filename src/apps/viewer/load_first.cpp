@@ -6,23 +6,23 @@
 
 namespace lambent::viewer {
 
-Wish load_first(const cli::StartArguments& arguments, Stock& stock, const cli::Console& console)
+ViewRequest load_first(const cli::StartArguments& arguments, AssetCache& assets, const cli::Console& console)
 {
-    Wish wish = first_wish(arguments);
-    const cli::RenderArguments first = arguments_of(wish);
-    stock.load(first);
-    const std::shared_ptr<Model> model = stock.model(first).value;
+    ViewRequest request = first_wish(arguments);
+    const cli::RenderArguments first = arguments_of(request);
+    assets.load(first);
+    const std::shared_ptr<Model> model = assets.model(first).value;
     const std::vector<scene::AnimationInfo>& animations = model->scene().animations;
     if (const std::optional<scene::Moment> moment = cli::moment_asked(arguments.picture, animations)) {
-        animate(wish, animations, moment->animation);
-        wish.moment =
+        animate(request, animations, moment->animation);
+        request.moment =
             std::min(moment->seconds, animations[static_cast<std::size_t>(moment->animation)].seconds);
     }
     console.warn(model->warnings());
-    console.warn(stock.environment(first.environment).value->warnings);
+    console.warn(assets.environment(first.environment).value->warnings);
     if (const std::string& camera = arguments.picture.camera_node; !camera.empty())
-        look_through(wish, model->scene(), camera);
-    return wish;
+        look_through(request, model->scene(), camera);
+    return request;
 }
 
 } // namespace lambent::viewer

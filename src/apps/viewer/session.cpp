@@ -19,10 +19,10 @@ constexpr std::size_t most_animations = 200;
 
 } // namespace
 
-Session::Session(Wish start, Stock& stock, std::shared_ptr<Presenter> presenter)
-    : stock_(stock), presenter_(std::move(presenter)), start_(std::move(start)), wish_(start_)
+Session::Session(ViewRequest start, AssetCache& assets, std::shared_ptr<Presenter> presenter)
+    : assets_(assets), presenter_(std::move(presenter)), start_(std::move(start)), request_(start_)
 {
-    find_things(wish_);
+    find_things(request_);
 }
 
 void Session::touch(std::uint64_t input)
@@ -40,11 +40,11 @@ void Session::begin_anew()
     trace_.reset();
 }
 
-Eye::World Session::world() const
+OrbitCamera::World Session::world() const
 {
     if (!model_)
         return {};
-    cli::RenderArguments arguments = arguments_of(wish_);
+    cli::RenderArguments arguments = arguments_of(request_);
     arguments.orbit->distance = 0.0f;
     arguments.target.reset();
     const glm::dvec3& origin = model_->scene().origin;
@@ -55,9 +55,9 @@ Eye::World Session::world() const
 void Session::change(std::uint64_t input, const Change& change)
 {
     const std::lock_guard lock(mutex_);
-    Wish changed = wish_;
+    ViewRequest changed = request_;
     change(changed, world());
-    wish_ = std::move(changed);
+    request_ = std::move(changed);
     error_.clear();
     touch(input);
 }
@@ -65,15 +65,15 @@ void Session::change(std::uint64_t input, const Change& change)
 void Session::reset(std::uint64_t input)
 {
     const std::lock_guard lock(mutex_);
-    const Wish old = std::exchange(wish_, start_);
-    wish_.asked.scene = old.asked.scene;
-    wish_.asked.environment = old.asked.environment;
-    wish_.asked.settings.width = old.asked.settings.width;
-    wish_.asked.settings.height = old.asked.settings.height;
+    const ViewRequest old = std::exchange(request_, start_);
+    request_.asked.scene = old.asked.scene;
+    request_.asked.environment = old.asked.environment;
+    request_.asked.settings.width = old.asked.settings.width;
+    request_.asked.settings.height = old.asked.settings.height;
     play_from(std::nullopt);
-    if (wish_.asked.scene != start_.asked.scene) {
-        wish_.eye = first_eye(wish_.asked.scene);
-        wish_.asked.animation.clear();
+    if (request_.asked.scene != start_.asked.scene) {
+        request_.eye = first_eye(request_.asked.scene);
+        request_.asked.animation.clear();
     }
     forget_lost_animation();
     error_.clear();
@@ -85,7 +85,7 @@ void Session::animate(std::uint64_t input, double number)
 {
     const std::lock_guard lock(mutex_);
     if (model_)
-        viewer::animate(wish_, model_->scene().animations, number);
+        viewer::animate(request_, model_->scene().animations, number);
     play_from(std::nullopt);
     announce_ = true;
     touch(input);
@@ -94,7 +94,7 @@ void Session::animate(std::uint64_t input, double number)
 void Session::seek(std::uint64_t input, double seconds)
 {
     const std::lock_guard lock(mutex_);
-    wish_.moment = std::isfinite(seconds) ? std::clamp(seconds, 0.0, duration()) : 0.0;
+    request_.moment = std::isfinite(seconds) ? std::clamp(seconds, 0.0, duration()) : 0.0;
     if (playing_)
         playing_ = Clock::now();
     touch(input);
@@ -108,8 +108,8 @@ void Session::play(std::uint64_t input, bool on)
     touch(input);
     if (!on || !model_ || model_->scene().animations.empty())
         return;
-    if (wish_.asked.animation.empty())
-        viewer::animate(wish_, model_->scene().animations, 0);
+    if (request_.asked.animation.empty())
+        viewer::animate(request_, model_->scene().animations, 0);
     play_from(Clock::now());
 }
 
@@ -122,9 +122,10 @@ void Session::play_from(const std::optional<Clock::time_point>& now)
 // A file that was loaded again may have others.
 void Session::forget_lost_animation()
 {
-    if (!model_ || wish_.asked.animation.empty() || animation_of(wish_, model_->scene().animations) >= 0)
+    if (!model_ || request_.asked.animation.empty() ||
+        animation_of(request_, model_->scene().animations) >= 0)
         return;
-    wish_.asked.animation.clear();
+    request_.asked.animation.clear();
     play_from(std::nullopt);
 }
 
@@ -134,11 +135,11 @@ double Session::duration() const
     if (!model_)
         return 0.0;
     const std::vector<scene::AnimationInfo>& animations = model_->scene().animations;
-    const int number = animation_of(wish_, animations);
+    const int number = animation_of(request_, animations);
     return number < 0 ? 0.0 : animations[static_cast<std::size_t>(number)].seconds;
 }
 
-// The wish is that of the moment: whoever looks late sees fewer of them.
+// The request is that of the moment: whoever looks late sees fewer of them.
 void Session::go_on_playing(Clock::time_point now, Clock::time_point& wake)
 {
     if (!playing_)
@@ -149,7 +150,8 @@ void Session::go_on_playing(Clock::time_point now, Clock::time_point& wake)
     wake = std::min(wake, *playing_ + least_step);
     if (now - *playing_ < least_step)
         return;
-    wish_.moment = std::fmod(wish_.moment + std::chrono::duration<double>(now - *playing_).count(), seconds);
+    request_.moment =
+        std::fmod(request_.moment + std::chrono::duration<double>(now - *playing_).count(), seconds);
     playing_ = now;
     wake = now + least_step;
     touch(0);
@@ -193,7 +195,7 @@ void Session::save(const std::string& kind)
         throw Error(Failure::usage, "save: a picture is being saved already");
     save_kind_ = kind;
     ++unsaved_;
-    if (find_things(wish_))
+    if (find_things(request_))
         plan_asked_save();
 }
 
@@ -238,11 +240,11 @@ Playing Session::playing_now() const
         return {};
     const std::vector<scene::AnimationInfo>& all = model_->scene().animations;
     const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), most_animations));
-    const int number = animation_of(wish_, all);
+    const int number = animation_of(request_, all);
     return {{all.begin(), end},
             number,
             number < 0 ? scene::AnimationInfo{"none", 0.0} : all[static_cast<std::size_t>(number)],
-            wish_.moment,
+            request_.moment,
             playing_.has_value()};
 }
 
@@ -250,17 +252,17 @@ std::string Session::state_now() const
 {
     const Playing playing = playing_now();
     nlohmann::ordered_json state = {{"type", "state"},
-                                    {"scene", wish_.asked.scene},
-                                    {"environment", wish_.asked.environment},
-                                    {"values", to_json(wish_.asked)},
-                                    {"lights", wish_.asked.light_words},
-                                    {"command", command_of(wish_, "picture.png")},
+                                    {"scene", request_.asked.scene},
+                                    {"environment", request_.asked.environment},
+                                    {"values", to_json(request_.asked)},
+                                    {"lights", request_.asked.light_words},
+                                    {"command", command_of(request_, "picture.png")},
                                     {"animation", playing.number},
                                     {"seconds", playing.now.seconds},
                                     {"moment", playing.moment},
                                     {"playing", playing.on},
-                                    {"width", wish_.asked.settings.width},
-                                    {"height", wish_.asked.settings.height},
+                                    {"width", request_.asked.settings.width},
+                                    {"height", request_.asked.settings.height},
                                     {"loading", pending_ || !opening_.name.empty()},
                                     {"error", !error_.empty() ? error_ : file_error_}};
     state["animations"] = nlohmann::ordered_json::array();
@@ -276,10 +278,10 @@ std::string Session::state_now() const
     return state.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-Wish Session::wish() const
+ViewRequest Session::request() const
 {
     const std::lock_guard lock(mutex_);
-    return wish_;
+    return request_;
 }
 
 double Session::scale() const

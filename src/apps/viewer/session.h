@@ -2,10 +2,10 @@
 #pragma once
 
 #include "apps/viewer/pace.h"
-#include "apps/viewer/picture.h"
-#include "apps/viewer/stock.h"
+#include "apps/viewer/shown_picture.h"
+#include "apps/viewer/asset_cache.h"
 #include "apps/viewer/trace.h"
-#include "apps/viewer/wish.h"
+#include "apps/viewer/view_request.h"
 
 #include <array>
 #include <atomic>
@@ -30,10 +30,10 @@ struct Plan {
     std::shared_ptr<Model> model;
     std::shared_ptr<const cli::LoadedEnvironment> environment;
     double scale = 1.0;
-    double moment = 0.0;           ///< as Picture::moment
+    double moment = 0.0;           ///< as ShownPicture::moment
     int width = 0, height = 0;     ///< as wished
-    std::uint64_t serial = 0;      ///< of the wish
-    std::uint64_t input = 0;       ///< as Picture::input
+    std::uint64_t serial = 0;      ///< of the request
+    std::uint64_t input = 0;       ///< as ShownPicture::input
     std::shared_ptr<Trace> trace;  ///< trace: to go on with
     bool is_compared = false;      ///< rest: a trace is to follow
     std::string file, command;     ///< save
@@ -62,9 +62,9 @@ public:
     /// An animation is drawn at most so often.
     static constexpr std::chrono::milliseconds least_step{16};
 
-    Session(Wish start, Stock& stock, std::shared_ptr<Presenter> presenter);
+    Session(ViewRequest start, AssetCache& assets, std::shared_ptr<Presenter> presenter);
 
-    using Change = std::function<void(Wish&, const Eye::World&)>;
+    using Change = std::function<void(ViewRequest&, const OrbitCamera::World&)>;
 
     /// Changes what is wished, or nothing if `change` throws, which is passed on. `input` counts the viewer's inputs.
     void change(std::uint64_t input, const Change& change);
@@ -144,7 +144,7 @@ public:
     /// What is set, what it is called on the command line, and what is wrong: JSON.
     std::string state() const;
 
-    Wish wish() const;
+    ViewRequest request() const;
     double scale() const;
 
 private:
@@ -156,9 +156,9 @@ private:
 
     void touch(std::uint64_t input);
     void begin_anew();
-    Eye::World world() const;
+    OrbitCamera::World world() const;
     void look_for_opening();
-    bool find_things(const Wish& wish);
+    bool find_things(const ViewRequest& request);
     bool find_trace();
     double duration() const;
     void forget_lost_animation();
@@ -176,10 +176,10 @@ private:
     std::string state_now() const;
 
     mutable std::mutex mutex_;
-    Stock& stock_;
+    AssetCache& assets_;
     const std::shared_ptr<Presenter> presenter_;
-    const Wish start_;
-    Wish wish_;
+    const ViewRequest start_;
+    ViewRequest request_;
     Pace pace_;
     std::shared_ptr<Model> model_;
     std::shared_ptr<const cli::LoadedEnvironment> environment_;
@@ -198,11 +198,11 @@ private:
     std::uint64_t still_ = 0, rest_ = 0, traced_ = 0, input_ = 0;
     std::atomic<int> in_flight_ = 0, unsaved_ = 0;
     std::atomic<bool> closed_ = false;
-    std::atomic<bool> has_things_ = false; ///< scene and environment, this wish's or older ones
+    std::atomic<bool> has_things_ = false; ///< scene and environment, this request's or older ones
     Clock::time_point last_input_{};
     std::atomic<bool> moves_ = false; ///< an animation that takes time is playing
     std::optional<Clock::time_point>
-        playing_; ///< since when the moment is that of the wish; unset: not playing
+        playing_; ///< since when the moment is that of the request; unset: not playing
 };
 
 } // namespace lambent::viewer

@@ -27,11 +27,11 @@ void make_fast(cli::RenderArguments& arguments, double scale)
 } // namespace
 
 // What is wished may not be there yet, or no longer: what was there before is drawn until it is.
-bool Session::find_things(const Wish& wish)
+bool Session::find_things(const ViewRequest& request)
 {
-    const cli::RenderArguments arguments = arguments_of(wish);
-    const Found<Model> model = stock_.model(arguments);
-    const Found<const cli::LoadedEnvironment> environment = stock_.environment(wish.asked.environment);
+    const cli::RenderArguments arguments = arguments_of(request);
+    const Found<Model> model = assets_.model(arguments);
+    const Found<const cli::LoadedEnvironment> environment = assets_.environment(request.asked.environment);
     pending_ = model.pending || environment.pending;
     const std::string error = !model.error.empty() ? model.error : environment.error;
     announce_ = announce_ || error != file_error_;
@@ -54,7 +54,7 @@ bool Session::find_things(const Wish& wish)
 
 bool Session::is_compared() const
 {
-    const std::string& layer = wish_.asked.shown;
+    const std::string& layer = request_.asked.shown;
     return layer == "reference" || layer == "error";
 }
 
@@ -65,12 +65,12 @@ bool Session::find_trace()
         return false;
     if (trace_)
         return true;
-    const Found<const RawEnvironment> raw = stock_.raw_environment(wish_.asked.environment);
+    const Found<const RawEnvironment> raw = assets_.raw_environment(request_.asked.environment);
     if (!raw.value || raw.pending || drawn_.values.empty())
         return false; // it is being loaded, maybe again, or the environment's error has been said already
     TraceTask task;
     task.arguments = planned(Plan::Task::rest).arguments;
-    task.shows_error = wish_.asked.shown == "error";
+    task.shows_error = request_.asked.shown == "error";
     task.model = model_;
     task.environment = raw.value;
     trace_ = std::make_shared<Trace>(std::move(task), std::exchange(drawn_, {}));
@@ -81,11 +81,11 @@ void Session::look_for_opening()
 {
     if (opening_.name.empty())
         return;
-    Wish wish = wish_;
-    (opening_.is_scene ? wish.asked.scene : wish.asked.environment) = opening_.name;
+    ViewRequest request = request_;
+    (opening_.is_scene ? request.asked.scene : request.asked.environment) = opening_.name;
     if (opening_.is_scene) {
-        wish.eye = first_eye(wish.asked.scene);
-        wish.asked.animation.clear();
+        request.eye = first_eye(request.asked.scene);
+        request.asked.animation.clear();
     }
     bool pending = false, there = false;
     std::string error;
@@ -96,9 +96,9 @@ void Session::look_for_opening()
             error = found.error;
         };
         if (opening_.is_scene)
-            look(stock_.model(arguments_of(wish)));
+            look(assets_.model(arguments_of(request)));
         else
-            look(stock_.environment(wish.asked.environment));
+            look(assets_.environment(request.asked.environment));
     } catch (const Error& problem) {
         error = problem.what();
     }
@@ -110,7 +110,7 @@ void Session::look_for_opening()
         set_error(error);
         return;
     }
-    wish_ = std::move(wish);
+    request_ = std::move(request);
     if (opening_.is_scene)
         play_from(std::nullopt);
     input_ = std::max(input_, opening_.input);
@@ -142,7 +142,7 @@ std::optional<Plan::Task> Session::long_task_now(Clock::time_point now, Clock::t
         wake = std::min(wake, last_input_ + settle);
         return std::nullopt;
     }
-    const int samples = wish_.asked.settings.samples;
+    const int samples = request_.asked.settings.samples;
     return still_ != serial_ && samples > many_samples ? Plan::Task::still : Plan::Task::rest;
 }
 
@@ -169,20 +169,20 @@ void Session::plan_save()
         throw;
     }
     saves_.back().file = file;
-    saves_.back().command = command_of(wish_, file);
+    saves_.back().command = command_of(request_, file);
 }
 
 Plan Session::planned(Plan::Task task)
 {
     Plan plan;
     plan.task = task;
-    plan.arguments = arguments_of(wish_);
-    plan.layer = wish_.asked.shown;
+    plan.arguments = arguments_of(request_);
+    plan.layer = request_.asked.shown;
     plan.model = model_;
     plan.environment = environment_;
-    plan.moment = wish_.moment;
-    plan.width = wish_.asked.settings.width;
-    plan.height = wish_.asked.settings.height;
+    plan.moment = request_.moment;
+    plan.width = request_.asked.settings.width;
+    plan.height = request_.asked.settings.height;
     plan.serial = serial_;
     plan.input = input_;
     const glm::dvec3& origin = model_->scene().origin;
@@ -211,7 +211,7 @@ std::optional<Plan> Session::plan_now(Clock::time_point now, Clock::time_point& 
 {
     look_for_opening();
     go_on_playing(now, wake);
-    if (!find_things(wish_))
+    if (!find_things(request_))
         return std::nullopt;
     if (!save_kind_.empty())
         plan_asked_save();
@@ -239,7 +239,7 @@ std::optional<Plan> Session::plan(Clock::time_point now, Clock::time_point& wake
             return std::nullopt;
         try {
             plan = plan_now(now, wake, may_be_long);
-        } catch (const Error& error) { // nothing of this wish can be drawn
+        } catch (const Error& error) { // nothing of this request can be drawn
             set_error(error.what());
             drawn_serial_ = still_ = rest_ = traced_ = serial_;
         }
@@ -314,7 +314,7 @@ void Session::complain(const std::string& line)
 void Session::picked(const glm::dvec3& point, const Plan& plan)
 {
     const std::lock_guard lock(mutex_);
-    wish_.eye.look_at(world(), point + plan.model->scene().origin);
+    request_.eye.look_at(world(), point + plan.model->scene().origin);
     touch(place_input_);
 }
 

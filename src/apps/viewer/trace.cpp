@@ -44,13 +44,13 @@ bool Trace::advance(const reference::GoOn& go_on)
     return finished_;
 }
 
-Picture Trace::picture() const
+ShownPicture Trace::picture() const
 {
     const reference::Result result = tracing_->result();
-    Picture picture;
-    picture.kind = Picture::Kind::traced;
+    ShownPicture picture;
+    picture.kind = ShownPicture::Kind::traced;
     picture.is_last = finished_;
-    picture.traced = Picture::Traced{result.samples, std::nullopt, 0.0, std::nullopt};
+    picture.traced = ShownPicture::Traced{result.samples, std::nullopt, 0.0, std::nullopt};
     if (result.noise)
         picture.traced->noise = result.noise->covered;
     // Both as far as a display shows them: one lamp in sight would outweigh everything else.
@@ -68,7 +68,7 @@ Picture Trace::picture() const
     return picture;
 }
 
-image::CodeImage Trace::error_codes(const image::CodeImage& traced, Picture::Traced& numbers) const
+image::CodeImage Trace::error_codes(const image::CodeImage& traced, ShownPicture::Traced& numbers) const
 {
     const image::RadianceImage drawn = as_values(cli::picture_codes(drawn_, task_.arguments.display, false));
     const compare::ErrorMap map = compare::ldr_flip({drawn, as_values(traced)});

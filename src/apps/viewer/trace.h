@@ -1,8 +1,8 @@
 // A drawn picture beside what it should have been: the reference, traced bit by bit, and the difference.
 #pragma once
 
-#include "apps/viewer/picture.h"
-#include "apps/viewer/stock.h"
+#include "apps/viewer/shown_picture.h"
+#include "apps/viewer/asset_cache.h"
 #include "reference/tracer.h"
 
 #include <memory>
@@ -32,10 +32,10 @@ public:
     bool has_picture() const { return tracing_ && tracing_->has_picture(); }
 
     /// What there is to see, with its numbers. The rest of the picture is left to the caller.
-    Picture picture() const;
+    ShownPicture picture() const;
 
 private:
-    image::CodeImage error_codes(const image::CodeImage& traced, Picture::Traced& numbers) const;
+    image::CodeImage error_codes(const image::CodeImage& traced, ShownPicture::Traced& numbers) const;
 
     TraceTask task_;
     image::RadianceImage drawn_;

@@ -130,7 +130,7 @@ public:
 
     bool advance(const GoOn& go_on) override
     {
-        const Picture picture{renderer_.prepared(settings_.texel_transfer), settings_, prepared_};
+        const PictureContext picture{renderer_.prepared(settings_.texel_transfer), settings_, prepared_};
         Questions questions(go_on, tiles_.done_count(), tiles_.count());
         tbb::enumerable_thread_specific<TileDrawer> drawers([&] { return TileDrawer(picture); });
         tbb::parallel_for(0, tiles_.count(), [&](int tile) {

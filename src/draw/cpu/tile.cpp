@@ -49,7 +49,7 @@ bool shares_shading(const Hit& a, const Hit& b, float least_cosine)
 
 } // namespace
 
-TileDrawer::TileDrawer(const Picture& picture)
+TileDrawer::TileDrawer(const PictureContext& picture)
     : picture_(picture), sight_(picture.scene, picture.prepared.rays)
 {
 }

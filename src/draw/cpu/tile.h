@@ -14,7 +14,7 @@
 namespace lambent::draw {
 
 /// What all tiles of a picture share.
-struct Picture {
+struct PictureContext {
     const PreparedScene& scene;
     const Settings& settings;
     const PreparedPicture& prepared;
@@ -36,7 +36,7 @@ class TileDrawer {
 public:
     static constexpr int largest_size = 32; ///< its fragments stay in the cache
 
-    explicit TileDrawer(const Picture& picture);
+    explicit TileDrawer(const PictureContext& picture);
 
     /// Draws into the frame's pixels of the area, at most largest_size wide and high.
     void draw(const TileArea& area, Frame& frame);
@@ -58,7 +58,7 @@ private:
     void resolve(Frame& frame, const TileArea& area);
     void add_background(Frame& frame, const TileArea& area);
 
-    const Picture& picture_;
+    const PictureContext& picture_;
     Sight sight_;
     Fragments fragments_;
 

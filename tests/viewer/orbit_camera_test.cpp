@@ -1,5 +1,5 @@
 // Moves of the eye and its limits; the size of pictures that move.
-#include "apps/viewer/eye.h"
+#include "apps/viewer/orbit_camera.h"
 #include "apps/viewer/pace.h"
 
 #include <glm/geometric.hpp>
@@ -11,13 +11,13 @@
 namespace lambent::viewer {
 namespace {
 
-const Eye::World world{{glm::vec3(-1.0f, 0.0f, -1.0f), glm::vec3(1.0f, 2.0f, 1.0f)}, 4.0};
+const OrbitCamera::World world{{glm::vec3(-1.0f, 0.0f, -1.0f), glm::vec3(1.0f, 2.0f, 1.0f)}, 4.0};
 const double radius = std::sqrt(3.0);
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-TEST(Eye, FramesTheSceneUntilItMoves)
+TEST(OrbitCamera, FramesTheSceneUntilItMoves)
 {
-    Eye eye(30.0, 20.0);
+    OrbitCamera eye(30.0, 20.0);
     EXPECT_EQ(eye.options(), (std::vector<std::string>{"--camera", "30,20"}));
     eye.orbit(10.0, -5.0);
     EXPECT_EQ(eye.options(), (std::vector<std::string>{"--camera", "40,15"}));
@@ -25,9 +25,9 @@ TEST(Eye, FramesTheSceneUntilItMoves)
     EXPECT_EQ(eye.options(), (std::vector<std::string>{"--camera", "40,15,4", "--target", "0,1,0"}));
 }
 
-TEST(Eye, GoesRoundButNotOverThePoles)
+TEST(OrbitCamera, GoesRoundButNotOverThePoles)
 {
-    Eye eye(170.0, 0.0);
+    OrbitCamera eye(170.0, 0.0);
     eye.orbit(20.0, 100.0);
     EXPECT_NEAR(eye.azimuth(), -170.0, 1e-9);
     EXPECT_EQ(eye.elevation(), 90.0);
@@ -35,9 +35,9 @@ TEST(Eye, GoesRoundButNotOverThePoles)
     EXPECT_EQ(eye.elevation(), -90.0);
 }
 
-TEST(Eye, KeepsItsDistance)
+TEST(OrbitCamera, KeepsItsDistance)
 {
-    Eye eye;
+    OrbitCamera eye;
     for (int i = 0; i < 100; ++i)
         eye.dolly(world, -5.0);
     EXPECT_NEAR(eye.distance(world), EyeLimits::nearest * radius, 1e-9);
@@ -46,9 +46,9 @@ TEST(Eye, KeepsItsDistance)
     EXPECT_NEAR(eye.distance(world), EyeLimits::farthest * radius, 1e-6);
 }
 
-TEST(Eye, PansWithTheHandAndNotOutOfTheWorld)
+TEST(OrbitCamera, PansWithTheHandAndNotOutOfTheWorld)
 {
-    Eye eye;
+    OrbitCamera eye;
     // A whole height of the picture at the target's depth: 2 tan(45 degrees) 4 m. What is seen follows the hand, so
     // the target goes the other way.
     eye.pan(world, 1.0, 0.0, 90.0);
@@ -60,9 +60,9 @@ TEST(Eye, PansWithTheHandAndNotOutOfTheWorld)
     EXPECT_NEAR(eye.target(world).x, EyeLimits::target * radius, 1e-6);
 }
 
-TEST(Eye, IsNotMovedByNumbersThatAreNone)
+TEST(OrbitCamera, IsNotMovedByNumbersThatAreNone)
 {
-    Eye eye(1.0, 2.0);
+    OrbitCamera eye(1.0, 2.0);
     for (const double amount : {infinite, -infinite, std::nan("")}) {
         eye.orbit(amount, amount);
         eye.dolly(world, amount);
@@ -71,27 +71,27 @@ TEST(Eye, IsNotMovedByNumbersThatAreNone)
     EXPECT_EQ(eye.options(), (std::vector<std::string>{"--camera", "1,2,4", "--target", "0,1,0"}));
 }
 
-TEST(Eye, LooksAtWhatIsPicked)
+TEST(OrbitCamera, LooksAtWhatIsPicked)
 {
-    Eye eye;
+    OrbitCamera eye;
     eye.look_at(world, {0.5, 0.25, 0.125});
     EXPECT_EQ(eye.target(world), glm::dvec3(0.5, 0.25, 0.125));
     EXPECT_EQ(eye.distance(world), 4.0);
 }
 
 // A scene of the world's size, seen from near: its target is said to a millionth of the distance.
-TEST(Eye, KeepsItsDigitsFarFromTheOrigin)
+TEST(OrbitCamera, KeepsItsDigitsFarFromTheOrigin)
 {
-    Eye::World far = world;
+    OrbitCamera::World far = world;
     far.origin = {4.5e6, 0.0, -1e8};
-    Eye eye(10.0, 20.0);
+    OrbitCamera eye(10.0, 20.0);
     eye.look_at(far, far.origin + glm::dvec3(0.25, 1.5, 0.125));
     EXPECT_EQ(eye.options(),
               (std::vector<std::string>{"--camera", "10,20,4", "--target", "4500000.25,1.5,-99999999.875"}));
-    EXPECT_EQ(Eye(0.0, 0.0).target(far), far.origin + middle_of(far.bounds));
+    EXPECT_EQ(OrbitCamera(0.0, 0.0).target(far), far.origin + middle_of(far.bounds));
 }
 
-TEST(Eye, AnEmptySceneIsASmallWorld)
+TEST(OrbitCamera, AnEmptySceneIsASmallWorld)
 {
     EXPECT_EQ(radius_of({}), 1.0);
     EXPECT_EQ(middle_of({}), glm::dvec3(0.0));

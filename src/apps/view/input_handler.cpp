@@ -1,4 +1,4 @@
-#include "apps/view/hands.h"
+#include "apps/view/input_handler.h"
 
 #include <GLFW/glfw3.h>
 #include <imgui.h>
@@ -10,43 +10,47 @@
 namespace lambent::view_window {
 namespace {
 
-using viewer::Eye, viewer::Session, viewer::Wish;
+using viewer::OrbitCamera, viewer::Session, viewer::ViewRequest;
 using Key = Window::Key;
 
 // A drag over the window's height.
 constexpr double degrees_across = 180.0;
 constexpr double key_degrees = 5.0, key_dolly = 0.1, key_pan = 0.05, wheel_dolly = 0.12, key_exposure = 1.25;
 
-double field_of_view(const Wish& wish)
+double field_of_view(const ViewRequest& request)
 {
-    return viewer::number_in(wish.asked, "fov");
+    return viewer::number_in(request.asked, "fov");
 }
 
 void orbit(Session& session, double x, double y)
 {
-    session.change(0, [&](Wish& wish, const Eye::World&) { wish.eye.orbit(x, y); });
+    session.change(0, [&](ViewRequest& request, const OrbitCamera::World&) { request.eye.orbit(x, y); });
 }
 
 void pan(Session& session, double x, double y)
 {
-    session.change(
-        0, [&](Wish& wish, const Eye::World& world) { wish.eye.pan(world, x, y, field_of_view(wish)); });
+    session.change(0, [&](ViewRequest& request, const OrbitCamera::World& world) {
+        request.eye.pan(world, x, y, field_of_view(request));
+    });
 }
 
 void dolly(Session& session, double by)
 {
-    session.change(0, [&](Wish& wish, const Eye::World& world) { wish.eye.dolly(world, by); });
+    session.change(
+        0, [&](ViewRequest& request, const OrbitCamera::World& world) { request.eye.dolly(world, by); });
 }
 
 void turn(Session& session, double degrees)
 {
-    session.change(0, [&](Wish& wish, const Eye::World&) { viewer::turn_environment(wish, degrees); });
+    session.change(0, [&](ViewRequest& request, const OrbitCamera::World&) {
+        viewer::turn_environment(request, degrees);
+    });
 }
 
 void expose(Session& session, double factor)
 {
-    session.change(0, [&](Wish& wish, const Eye::World&) {
-        viewer::set_nearest(wish.asked, "exposure", viewer::number_in(wish.asked, "exposure") * factor);
+    session.change(0, [&](ViewRequest& request, const OrbitCamera::World&) {
+        viewer::set_nearest(request.asked, "exposure", viewer::number_in(request.asked, "exposure") * factor);
     });
 }
 

@@ -1,4 +1,4 @@
-#include "apps/viewer/wish.h"
+#include "apps/viewer/view_request.h"
 
 #include "apps/common/picture_setup.h"
 #include "apps/options/rules.h"
@@ -26,7 +26,7 @@ std::string as_file(const std::string& name)
 }
 
 // The word of --camera, with the point that --target names.
-Eye eye_of(const std::string& word, const std::optional<glm::dvec3>& target)
+OrbitCamera eye_of(const std::string& word, const std::optional<glm::dvec3>& target)
 {
     const std::vector<double> numbers = cli::parse_list(word, {2, 3}, "--camera");
     if (numbers.size() == 2)
@@ -58,18 +58,18 @@ std::vector<cli::OptionWord> words_behind_camera(const cli::RenderArguments& arg
 }
 
 // Without what says nothing of this scene and model, but with the camera.
-cli::RenderArguments effective(const Wish& wish)
+cli::RenderArguments effective(const ViewRequest& request)
 {
-    cli::RenderArguments arguments = wish.asked;
+    cli::RenderArguments arguments = request.asked;
     arguments.scene = as_file(arguments.scene);
     arguments.environment = as_file(arguments.environment);
     if (!arguments.animation.empty())
-        arguments.moment = std::stod(number_word(wish.moment));
+        arguments.moment = std::stod(number_word(request.moment));
     cli::for_each_row<cli::RenderArguments>(cli::command::render, [&](const Parameter& row) {
         if (!cli::applies(row.option.needs, arguments))
             row.value.set(arguments, row.option, "");
     });
-    const std::vector<std::string> eye = wish.eye.options();
+    const std::vector<std::string> eye = request.eye.options();
     arguments.orbit = cli::parse_orbit(eye.at(1), eye.at(0));
     if (eye.size() > 2)
         arguments.target = cli::parse_point(eye.at(3), eye.at(2));
@@ -78,43 +78,43 @@ cli::RenderArguments effective(const Wish& wish)
 
 } // namespace
 
-Eye first_eye(const std::string& scene)
+OrbitCamera first_eye(const std::string& scene)
 {
     const view::Orbit orbit = cli::default_orbit(scene);
     return {static_cast<double>(orbit.azimuth) * degrees, static_cast<double>(orbit.elevation) * degrees};
 }
 
-Wish plain_wish(const std::string& scene, const std::string& environment)
+ViewRequest plain_wish(const std::string& scene, const std::string& environment)
 {
-    Wish wish{{}, first_eye(scene)};
-    wish.asked.scene = scene;
-    wish.asked.environment = environment;
-    return wish;
+    ViewRequest request{{}, first_eye(scene)};
+    request.asked.scene = scene;
+    request.asked.environment = environment;
+    return request;
 }
 
-Wish first_wish(const cli::StartArguments& start)
+ViewRequest first_wish(const cli::StartArguments& start)
 {
     const cli::RenderArguments& picture = start.picture;
-    Wish wish = plain_wish(picture.scene, picture.environment);
+    ViewRequest request = plain_wish(picture.scene, picture.environment);
     if (picture.light_words.size() > most_lights)
         throw Error(Failure::usage,
                     text("--light: ", picture.light_words.size(), " are more than a viewer's ", most_lights));
-    set_size(wish, picture.settings.width, picture.settings.height);
+    set_size(request, picture.settings.width, picture.settings.height);
     if (start.given("camera"))
-        wish.eye = eye_of(start.given.words("camera").back(), picture.target);
+        request.eye = eye_of(start.given.words("camera").back(), picture.target);
     cli::for_each_row<cli::RenderArguments>(cli::command::render, [&](const Parameter& row) {
         // load_first knows which animations there are.
         if (row.option.place > 0 && row.option.needs != cli::Needs::file)
             for (const std::string& word : start.given.words(row.option.name))
-                set_option(wish.asked, row, word);
+                set_option(request.asked, row, word);
     });
-    return wish;
+    return request;
 }
 
-void look_through(Wish& wish, const scene::Scene& scene, const std::string& camera)
+void look_through(ViewRequest& request, const scene::Scene& scene, const std::string& camera)
 {
     cli::RenderArguments asked;
-    asked.scene = wish.asked.scene;
+    asked.scene = request.asked.scene;
     asked.camera_node = camera;
     const view::Camera found = cli::choose_camera(asked, scene);
     const glm::dvec3 back(found.back), position(found.position);
@@ -122,21 +122,22 @@ void look_through(Wish& wish, const scene::Scene& scene, const std::string& came
     const double far_enough = 1e-3 * radius_of(bounds);
     double distance = std::max(glm::dot(position - middle_of(bounds), back), far_enough);
     // What the camera is to show at least is seen where the picture is narrower, too.
-    const double wider = std::max(
-        static_cast<double>(found.aspect) * wish.asked.settings.height / wish.asked.settings.width, 1.0);
+    const double wider = std::max(static_cast<double>(found.aspect) * request.asked.settings.height /
+                                      request.asked.settings.width,
+                                  1.0);
     if (found.vertical_fov > 0.0f) {
         const double half = wider * std::tan(0.5 * static_cast<double>(found.vertical_fov));
         const double fov = 2.0 * std::atan(half) * degrees;
-        set_nearest(wish.asked, "fov", fov);
+        set_nearest(request.asked, "fov", fov);
     } else {
-        const double fov = number_in(wish.asked, "fov") / degrees;
+        const double fov = number_in(request.asked, "fov") / degrees;
         distance = 0.5 * wider * static_cast<double>(found.vertical_size) / std::tan(0.5 * fov);
     }
-    wish.eye = {std::atan2(back.x, back.z) * degrees, std::asin(std::clamp(back.y, -1.0, 1.0)) * degrees,
-                distance, scene.origin + position - distance * back};
+    request.eye = {std::atan2(back.x, back.z) * degrees, std::asin(std::clamp(back.y, -1.0, 1.0)) * degrees,
+                   distance, scene.origin + position - distance * back};
 }
 
-void set_lights(Wish& wish, const std::vector<std::string>& lights)
+void set_lights(ViewRequest& request, const std::vector<std::string>& lights)
 {
     if (lights.size() > most_lights)
         throw Error(Failure::usage, text("lights: ", lights.size(), " are more than ", most_lights));
@@ -145,18 +146,18 @@ void set_lights(Wish& wish, const std::vector<std::string>& lights)
     cli::Given given;
     for (const std::string& light : lights)
         given.add("light", light);
-    wish.asked.settings.lights.clear();
-    wish.asked.light_places.clear();
-    wish.asked.light_words.clear();
-    cli::take(given, cli::command::render, wish.asked);
+    request.asked.settings.lights.clear();
+    request.asked.light_places.clear();
+    request.asked.light_words.clear();
+    cli::take(given, cli::command::render, request.asked);
 }
 
-void animate(Wish& wish, const std::vector<scene::AnimationInfo>& animations, double number)
+void animate(ViewRequest& request, const std::vector<scene::AnimationInfo>& animations, double number)
 {
     if (!(number < static_cast<double>(animations.size())) || (number >= 0.0 && number != std::floor(number)))
         throw Error(Failure::usage, text("there is no animation ", number));
-    wish.moment = 0.0;
-    wish.asked.animation.clear();
+    request.moment = 0.0;
+    request.asked.animation.clear();
     if (number < 0.0)
         return;
     // By its name, unless that cannot be typed, or is another's name or number, too.
@@ -164,15 +165,15 @@ void animate(Wish& wish, const std::vector<scene::AnimationInfo>& animations, do
     const std::string& name = animations[index].name;
     if (std::none_of(name.begin(), name.end(),
                      [](char c) { return std::iscntrl(static_cast<unsigned char>(c)); }))
-        wish.asked.animation = name;
-    if (animation_of(wish, animations) != static_cast<int>(index))
-        wish.asked.animation = text(index);
+        request.asked.animation = name;
+    if (animation_of(request, animations) != static_cast<int>(index))
+        request.asked.animation = text(index);
 }
 
-int animation_of(const Wish& wish, const std::vector<scene::AnimationInfo>& animations)
+int animation_of(const ViewRequest& request, const std::vector<scene::AnimationInfo>& animations)
 {
     cli::RenderArguments arguments;
-    arguments.animation = wish.asked.animation;
+    arguments.animation = request.asked.animation;
     try {
         const std::optional<scene::Moment> moment = cli::moment_asked(arguments, animations);
         return moment ? moment->animation : -1;
@@ -181,30 +182,30 @@ int animation_of(const Wish& wish, const std::vector<scene::AnimationInfo>& anim
     }
 }
 
-void turn_environment(Wish& wish, double degrees)
+void turn_environment(ViewRequest& request, double degrees)
 {
-    const double before = number_in(wish.asked, "env-rotation");
+    const double before = number_in(request.asked, "env-rotation");
     const double turned = std::remainder(before + std::fmod(degrees, 360.0), 360.0);
-    set_value(wish.asked, "env-rotation", number_word(turned));
+    set_value(request.asked, "env-rotation", number_word(turned));
 }
 
-void set_size(Wish& wish, double width, double height)
+void set_size(ViewRequest& request, double width, double height)
 {
     const auto side = [](double length) {
         return std::isfinite(length) ? std::clamp(length, 16.0, 16384.0) : 16.0;
     };
     const double w = side(width), h = side(height);
     const double shrink = std::min(1.0, std::sqrt(most_pixels / (w * h)));
-    int &across = wish.asked.settings.width, &down = wish.asked.settings.height;
+    int &across = request.asked.settings.width, &down = request.asked.settings.height;
     across = std::max(16, static_cast<int>(w * shrink));
     down = std::max(16, static_cast<int>(h * shrink));
     while (static_cast<double>(across) * down > most_pixels)
         --(across > down ? across : down);
 }
 
-std::vector<std::string> words_of(const Wish& wish)
+std::vector<std::string> words_of(const ViewRequest& request)
 {
-    const cli::RenderArguments arguments = effective(wish);
+    const cli::RenderArguments arguments = effective(request);
     std::vector<std::string> words = {"render", arguments.scene};
     const auto add = [&](const std::vector<std::string>& more) {
         words.insert(words.end(), more.begin(), more.end());
@@ -212,23 +213,23 @@ std::vector<std::string> words_of(const Wish& wish)
     if (arguments.environment != cli::RenderArguments().environment)
         add({"--env", arguments.environment});
     add({"--size", cli::size_word({arguments.settings.width, arguments.settings.height})});
-    add(wish.eye.options());
+    add(request.eye.options());
     for (const cli::OptionWord& word : words_behind_camera(arguments))
         cli::append(words, word);
     return words;
 }
 
-std::string command_of(const Wish& wish, const std::string& output)
+std::string command_of(const ViewRequest& request, const std::string& output)
 {
     std::string command = "lambent";
-    for (const std::string& word : words_of(wish))
+    for (const std::string& word : words_of(request))
         command += text(" ", shell_quoted(word));
     return text(command, " -o ", shell_quoted(output));
 }
 
-cli::RenderArguments arguments_of(const Wish& wish)
+cli::RenderArguments arguments_of(const ViewRequest& request)
 {
-    cli::RenderArguments arguments = effective(wish);
+    cli::RenderArguments arguments = effective(request);
     cli::derive(arguments);
     return arguments;
 }

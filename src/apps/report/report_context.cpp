@@ -1,15 +1,15 @@
-#include "apps/report/desk.h"
+#include "apps/report/report_context.h"
 
 #include "base/text.h"
 
 namespace lambent::report {
 
-Picture Desk::proven(const Shot& shot, const std::string& figure)
+PagePicture ReportContext::proven(const Shot& shot, const std::string& figure)
 {
-    Picture picture = workshop.picture(shot);
+    PagePicture picture = renderer.picture(shot);
     if (!references)
         return picture;
-    Proof proof = workshop.prove(shot);
+    Proof proof = renderer.prove(shot);
     picture.numbers.push_back({"error", percent(proof.error)});
     picture.numbers.push_back({"reference's noise", noise_text(proof.noise)});
     entries.push_back({figure, std::move(proof)});

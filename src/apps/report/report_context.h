@@ -1,7 +1,7 @@
 // What the sections of the page are written with.
 #pragma once
 
-#include "apps/report/workshop.h"
+#include "apps/report/shot_renderer.h"
 
 #include <string>
 #include <utility>
@@ -15,25 +15,25 @@ struct Entry {
     Proof proof;
 };
 
-struct Desk {
-    Workshop& workshop;
+struct ReportContext {
+    ShotRenderer& renderer;
     bool references = true; ///< without them no errors
     std::vector<Entry> entries;
 
     /// Draws a shot, and proves it where there are references: its error goes under the picture and into `entries`.
-    Picture proven(const Shot& shot, const std::string& figure);
+    PagePicture proven(const Shot& shot, const std::string& figure);
 };
 
 /// The sections, in the order of the page. Later ones use what earlier ones have drawn.
-Section gallery(Desk& desk);
-Section own_pipeline(Desk& desk);
-Section direct_light(Desk& desk);
-Section diffuse_light(Desk& desk);
-Section background(Desk& desk);
-Section specular_light(Desk& desk);
-Section passes(Desk& desk);
-Section beyond(Desk& desk);
-Section making(const Desk& desk);
+Section gallery(ReportContext& context);
+Section own_pipeline(ReportContext& context);
+Section direct_light(ReportContext& context);
+Section diffuse_light(ReportContext& context);
+Section background(ReportContext& context);
+Section specular_light(ReportContext& context);
+Section passes(ReportContext& context);
+Section beyond(ReportContext& context);
+Section making(const ReportContext& context);
 
 /// The mean of what surfaces send towards the viewer, over all pixels and colours of them.
 double mean_on_surfaces(const image::RadianceImage& light);

@@ -1,4 +1,4 @@
-#include "apps/viewer/stock.h"
+#include "apps/viewer/asset_cache.h"
 
 #include "apps/common/console.h"
 #include "apps/common/reference_setup.h"
@@ -39,7 +39,7 @@ void watch_too(const std::vector<std::filesystem::path>& beside, const std::stri
     std::map<std::string, std::string> next = {{file, watch.at(file)}};
     for (const std::filesystem::path& path : beside) {
         const std::string name = path.string();
-        if (next.size() < Stock::most_watched)
+        if (next.size() < AssetCache::most_watched)
             next.emplace(name, watch.contains(name) ? watch.at(name) : signature_of(name));
     }
     watch = std::move(next);
@@ -63,9 +63,9 @@ std::string file_of_environment(const std::string& name)
 
 } // namespace
 
-Stock::Stock(StockOptions options) : options_(std::move(options)), thread_([this] { work(); }) {}
+AssetCache::AssetCache(StockOptions options) : options_(std::move(options)), thread_([this] { work(); }) {}
 
-Stock::~Stock()
+AssetCache::~AssetCache()
 {
     {
         const std::lock_guard lock(mutex_);
@@ -75,7 +75,7 @@ Stock::~Stock()
     thread_.join();
 }
 
-void Stock::on_change(std::function<void()> changed)
+void AssetCache::on_change(std::function<void()> changed)
 {
     std::unique_lock lock(mutex_);
     done_.wait(lock, [this] { return !calling_; });
@@ -83,7 +83,7 @@ void Stock::on_change(std::function<void()> changed)
 }
 
 template <class T>
-Found<T> Stock::find(const std::string& key, const std::string& file, const Load& load)
+Found<T> AssetCache::find(const std::string& key, const std::string& file, const Load& load)
 {
     const std::lock_guard lock(mutex_);
     Slot& slot = slots_[key];
@@ -100,7 +100,7 @@ Found<T> Stock::find(const std::string& key, const std::string& file, const Load
     return {std::static_pointer_cast<T>(slot.value), slot.error, !slot.loaded || slot.busy};
 }
 
-Found<Model> Stock::model(const cli::RenderArguments& arguments)
+Found<Model> AssetCache::model(const cli::RenderArguments& arguments)
 {
     const std::string file = scene::is_builtin(arguments.scene) ? "" : arguments.scene;
     return find<Model>(model_key(arguments), file, [arguments, options = options_](const NoteFiles& note) {
@@ -112,7 +112,7 @@ Found<Model> Stock::model(const cli::RenderArguments& arguments)
     });
 }
 
-Found<const cli::LoadedEnvironment> Stock::environment(const std::string& name)
+Found<const cli::LoadedEnvironment> AssetCache::environment(const std::string& name)
 {
     return find<const cli::LoadedEnvironment>(
         text("environment\n", name), file_of_environment(name), [name, options = options_](const NoteFiles&) {
@@ -124,7 +124,7 @@ Found<const cli::LoadedEnvironment> Stock::environment(const std::string& name)
         });
 }
 
-Found<const RawEnvironment> Stock::raw_environment(const std::string& name)
+Found<const RawEnvironment> AssetCache::raw_environment(const std::string& name)
 {
     return find<const RawEnvironment>(text("raw\n", name), file_of_environment(name),
                                       [name](const NoteFiles&) {
@@ -134,7 +134,7 @@ Found<const RawEnvironment> Stock::raw_environment(const std::string& name)
                                       });
 }
 
-Stock::Slot& Stock::wait_for(const std::string& key, std::unique_lock<std::mutex>& lock)
+AssetCache::Slot& AssetCache::wait_for(const std::string& key, std::unique_lock<std::mutex>& lock)
 {
     done_.wait(lock, [&] { return slots_[key].loaded; });
     Slot& slot = slots_[key];
@@ -143,7 +143,7 @@ Stock::Slot& Stock::wait_for(const std::string& key, std::unique_lock<std::mutex
     return slot;
 }
 
-void Stock::load(const cli::RenderArguments& arguments)
+void AssetCache::load(const cli::RenderArguments& arguments)
 {
     // Asked for again while others' wishes fill the queue; at a program's start there are none.
     model(arguments);
@@ -153,7 +153,7 @@ void Stock::load(const cli::RenderArguments& arguments)
     wait_for(text("environment\n", arguments.environment), lock);
 }
 
-void Stock::work()
+void AssetCache::work()
 {
     std::unique_lock lock(mutex_);
     while (!ending_) {
@@ -166,7 +166,7 @@ void Stock::work()
     }
 }
 
-void Stock::load_one(std::unique_lock<std::mutex>& lock)
+void AssetCache::load_one(std::unique_lock<std::mutex>& lock)
 {
     const std::string key = waiting_.front();
     waiting_.pop_front();
@@ -215,7 +215,7 @@ void Stock::load_one(std::unique_lock<std::mutex>& lock)
     done_.notify_all();
 }
 
-void Stock::look_at_files()
+void AssetCache::look_at_files()
 {
     for (auto& [key, slot] : slots_)
         if (slot.loaded && !slot.busy && has_changed(slot.watch)) {
@@ -224,7 +224,7 @@ void Stock::look_at_files()
         }
 }
 
-void Stock::drop_unused()
+void AssetCache::drop_unused()
 {
     while (slots_.size() > most_kept) {
         auto oldest = slots_.end();

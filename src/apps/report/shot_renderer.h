@@ -16,7 +16,7 @@
 
 namespace lambent::report {
 
-struct WorkshopSettings {
+struct ShotRendererSettings {
     std::string environment = "kitchen";
     Words size, rotation; ///< options for every shot; none: what `render` takes
     bool cache = true;    ///< of environments
@@ -44,21 +44,21 @@ double without_noise(double error, const std::optional<double>& noise);
 
 /// A picture beside its path-traced reference, both cut.
 struct Proof {
-    Picture reference, heat;
+    PagePicture reference, heat;
     double error = 0.0;          ///< relative RMSE, as `lambent compare` measures it
     std::optional<double> noise; ///< the reference's own, estimated
     double flip = 0.0;           ///< mean HDR-FLIP
 };
 
-class Workshop {
+class ShotRenderer {
 public:
-    explicit Workshop(WorkshopSettings settings);
-    ~Workshop();
-    Workshop(const Workshop&) = delete;
-    Workshop& operator=(const Workshop&) = delete;
+    explicit ShotRenderer(ShotRendererSettings settings);
+    ~ShotRenderer();
+    ShotRenderer(const ShotRenderer&) = delete;
+    ShotRenderer& operator=(const ShotRenderer&) = delete;
 
     /// Draws a shot and writes its file, with its command and no numbers yet.
-    Picture picture(const Shot& shot);
+    PagePicture picture(const Shot& shot);
 
     /// A shot's light; drawn at the first call. Stays where it is.
     const draw::Frame& frame(const Shot& shot);
@@ -87,7 +87,7 @@ public:
     /// Waits for all files and names them. Throws Error(cannot_write).
     std::vector<std::string> finish();
 
-    const WorkshopSettings& settings() const { return settings_; }
+    const ShotRendererSettings& settings() const { return settings_; }
     Warnings warnings() const { return warnings_; }
 
 private:
@@ -98,11 +98,11 @@ private:
     const environment::Environment* environment(const std::string& name);
     const image::RadianceImage* raw_environment(const std::string& name);
     Words reference_words(const Shot& shot) const;
-    Picture reference_picture(const Shot& shot);
-    Picture heat_picture(const Shot& shot);
+    PagePicture reference_picture(const Shot& shot);
+    PagePicture heat_picture(const Shot& shot);
     void done(double seconds);
 
-    WorkshopSettings settings_;
+    ShotRendererSettings settings_;
     Warnings warnings_;
     std::unique_ptr<Stage> stage_; ///< the scene at work
     std::map<std::string, std::optional<environment::Environment>> environments_;

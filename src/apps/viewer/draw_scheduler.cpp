@@ -1,4 +1,4 @@
-#include "apps/viewer/desk.h"
+#include "apps/viewer/draw_scheduler.h"
 
 #include "apps/common/layer_files.h"
 #include "apps/common/picture_file.h"
@@ -60,7 +60,7 @@ image::CodeImage codes_of(const Plan& plan, const draw::Frame& frame)
 }
 
 // What is the same for all pictures.
-void complete(const Plan& plan, double draw_ms, Picture& picture)
+void complete(const Plan& plan, double draw_ms, ShownPicture& picture)
 {
     picture.width = plan.width;
     picture.height = plan.height;
@@ -70,12 +70,12 @@ void complete(const Plan& plan, double draw_ms, Picture& picture)
     picture.moment = plan.moment;
 }
 
-Picture picture_of(const Plan& plan, const draw::Frame& frame, double draw_ms)
+ShownPicture picture_of(const Plan& plan, const draw::Frame& frame, double draw_ms)
 {
-    Picture picture;
-    picture.kind = plan.task == Task::moving  ? Picture::Kind::moving
-                   : plan.task == Task::still ? Picture::Kind::still
-                                              : Picture::Kind::rest;
+    ShownPicture picture;
+    picture.kind = plan.task == Task::moving  ? ShownPicture::Kind::moving
+                   : plan.task == Task::still ? ShownPicture::Kind::still
+                                              : ShownPicture::Kind::rest;
     picture.codes = codes_of(plan, frame);
     picture.is_last = plan.task == Task::rest && !plan.is_compared;
     complete(plan, draw_ms, picture);
@@ -119,18 +119,18 @@ void show(const Plan& plan, const draw::Frame& frame, double draw_ms, Session& s
 
 } // namespace
 
-Desk::Desk(Stock& stock) : stock_(stock), thread_([this] { work(); })
+DrawScheduler::DrawScheduler(AssetCache& assets) : assets_(assets), thread_([this] { work(); })
 {
-    stock_.on_change([this] { nudge(); });
+    assets_.on_change([this] { nudge(); });
 }
 
-Desk::~Desk()
+DrawScheduler::~DrawScheduler()
 {
-    stock_.on_change({});
+    assets_.on_change({});
     stop();
 }
 
-void Desk::stop()
+void DrawScheduler::stop()
 {
     ending_ = true;
     nudge();
@@ -138,7 +138,7 @@ void Desk::stop()
         thread_.join();
 }
 
-void Desk::add(std::shared_ptr<Session> session)
+void DrawScheduler::add(std::shared_ptr<Session> session)
 {
     {
         const std::lock_guard lock(mutex_);
@@ -148,14 +148,14 @@ void Desk::add(std::shared_ptr<Session> session)
     nudge();
 }
 
-void Desk::remove(const std::shared_ptr<Session>& session)
+void DrawScheduler::remove(const std::shared_ptr<Session>& session)
 {
     session->close();
     const std::lock_guard lock(mutex_);
     std::erase_if(places_, [&](const std::shared_ptr<Place>& place) { return place->session == session; });
 }
 
-void Desk::nudge()
+void DrawScheduler::nudge()
 {
     {
         const std::lock_guard lock(mutex_);
@@ -164,7 +164,7 @@ void Desk::nudge()
     wake_.notify_all();
 }
 
-Desk::Places Desk::places()
+DrawScheduler::Places DrawScheduler::places()
 {
     const std::lock_guard lock(mutex_);
     return places_;
@@ -173,7 +173,7 @@ Desk::Places Desk::places()
 // `is_moving`, which must not wait, of any other place; of this one, too, while it saves a picture, which need not be that
 // of what moves.
 template <class IsMoving>
-bool Desk::any_moves(const Place& place, const IsMoving& is_moving)
+bool DrawScheduler::any_moves(const Place& place, const IsMoving& is_moving)
 {
     const std::lock_guard lock(mutex_);
     return std::any_of(places_.begin(), places_.end(), [&](const std::shared_ptr<Place>& other) {
@@ -181,7 +181,7 @@ bool Desk::any_moves(const Place& place, const IsMoving& is_moving)
     });
 }
 
-void Desk::work()
+void DrawScheduler::work()
 {
     while (!ending_) {
         Clock::time_point wake = Clock::now() + std::chrono::seconds(10);
@@ -193,7 +193,7 @@ void Desk::work()
     }
 }
 
-bool Desk::work_once(Clock::time_point& wake)
+bool DrawScheduler::work_once(Clock::time_point& wake)
 {
     const Places all = places();
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -214,7 +214,7 @@ bool Desk::work_once(Clock::time_point& wake)
     return false;
 }
 
-bool Desk::goes_on(const Plan& plan, const Place& place, Clock::time_point start)
+bool DrawScheduler::goes_on(const Plan& plan, const Place& place, Clock::time_point start)
 {
     if (ending_ || (plan.is_long() && place.session->is_stale(plan)))
         throw Overtaken{};
@@ -223,7 +223,7 @@ bool Desk::goes_on(const Plan& plan, const Place& place, Clock::time_point start
 }
 
 // The plan's picture, in the plan's pose.
-Desk::BegunPicture Desk::begin_or_go_on(const Plan& plan, Place& place)
+DrawScheduler::BegunPicture DrawScheduler::begin_or_go_on(const Plan& plan, Place& place)
 {
     plan.model->pose(plan.arguments);
     if (place.paused && place.session->is_stale(place.paused->plan))
@@ -237,7 +237,7 @@ Desk::BegunPicture Desk::begin_or_go_on(const Plan& plan, Place& place)
         Begun{plan, renderer.start(environment ? &*environment : nullptr, settings)});
 }
 
-void Desk::draw(const Plan& plan, Place& place)
+void DrawScheduler::draw(const Plan& plan, Place& place)
 {
     const Clock::time_point start = Clock::now();
     BegunPicture begun = begin_or_go_on(plan, place);
@@ -252,7 +252,7 @@ void Desk::draw(const Plan& plan, Place& place)
 }
 
 // Shows what was drawn; the milliseconds are those of the drawing.
-void Desk::finish(const Plan& plan, Session& session, draw::Frame frame, double milliseconds) const
+void DrawScheduler::finish(const Plan& plan, Session& session, draw::Frame frame, double milliseconds) const
 {
     const Clock::time_point start = Clock::now();
     show(plan, frame, milliseconds, session);
@@ -264,7 +264,7 @@ void Desk::finish(const Plan& plan, Session& session, draw::Frame frame, double 
 }
 
 // As long as there is something new to be seen by: a picture takes its time to be made and to be sent.
-void Desk::trace(const Plan& plan, Place& place)
+void DrawScheduler::trace(const Plan& plan, Place& place)
 {
     constexpr double step_ms = 400.0;
     const Clock::time_point start = Clock::now();
@@ -277,7 +277,7 @@ void Desk::trace(const Plan& plan, Place& place)
         place.session->paused(plan);
         return;
     }
-    Picture picture = plan.trace->picture();
+    ShownPicture picture = plan.trace->picture();
     complete(plan, place.unseen_ms, picture);
     place.unseen_ms = 0.0;
     place.session->presenter().show(std::move(picture));
@@ -285,7 +285,7 @@ void Desk::trace(const Plan& plan, Place& place)
         place.session->traced(plan);
 }
 
-void Desk::carry_out(const Plan& plan, Place& place)
+void DrawScheduler::carry_out(const Plan& plan, Place& place)
 {
     const Clock::time_point start = Clock::now();
     Session& session = *place.session;

@@ -10,7 +10,7 @@
 
 namespace lambent::viewer {
 
-struct Picture {
+struct ShownPicture {
     /// While something moves; whole but with fewer samples; what the command draws; the reference, or the difference to it.
     enum class Kind { moving, still, rest, traced };
     Kind kind = Kind::moving;
@@ -34,7 +34,7 @@ struct Picture {
 };
 
 /// "moving", "still", "rest" or "traced".
-constexpr const char* name_of(Picture::Kind kind)
+constexpr const char* name_of(ShownPicture::Kind kind)
 {
     constexpr const char* names[] = {"moving", "still", "rest", "traced"};
     return names[static_cast<int>(kind)];
@@ -53,7 +53,7 @@ public:
     virtual ~Presenter() = default;
 
     /// At most Session::most_in_flight are shown before the session is told that one was seen.
-    virtual void show(Picture picture) = 0;
+    virtual void show(ShownPicture picture) = 0;
 
     /// What is set, as Session::state, after it changed.
     virtual void say(const std::string& state) = 0;

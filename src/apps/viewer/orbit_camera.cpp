@@ -1,4 +1,4 @@
-#include "apps/viewer/eye.h"
+#include "apps/viewer/orbit_camera.h"
 
 #include "apps/viewer/parameters.h"
 #include "base/text.h"
@@ -40,13 +40,13 @@ glm::dvec3 middle_of(const scene::Bounds& bounds)
     return is_empty(bounds) ? glm::dvec3(0.0) : 0.5 * (glm::dvec3(bounds.low) + glm::dvec3(bounds.high));
 }
 
-void Eye::orbit(double azimuth, double elevation)
+void OrbitCamera::orbit(double azimuth, double elevation)
 {
     azimuth_ = std::remainder(azimuth_ + tame(azimuth, 360.0), 360.0);
     elevation_ = std::clamp(elevation_ + tame(elevation, 180.0), -90.0, 90.0);
 }
 
-void Eye::pan(const World& world, double right, double up, double vertical_fov)
+void OrbitCamera::pan(const World& world, double right, double up, double vertical_fov)
 {
     fix(world);
     const double azimuth = azimuth_ * degree, elevation = elevation_ * degree;
@@ -58,7 +58,7 @@ void Eye::pan(const World& world, double right, double up, double vertical_fov)
             *target_ - height * (tame(right, 10.0) * across + tame(up, 10.0) * glm::cross(back, across)));
 }
 
-void Eye::dolly(const World& world, double amount)
+void OrbitCamera::dolly(const World& world, double amount)
 {
     fix(world);
     const double radius = radius_of(world.bounds);
@@ -66,7 +66,7 @@ void Eye::dolly(const World& world, double amount)
                            EyeLimits::farthest * radius);
 }
 
-void Eye::look_at(const World& world, const glm::dvec3& point)
+void OrbitCamera::look_at(const World& world, const glm::dvec3& point)
 {
     fix(world);
     const glm::dvec3 middle = middle_of(world.bounds) + world.origin;
@@ -74,7 +74,7 @@ void Eye::look_at(const World& world, const glm::dvec3& point)
     target_ = glm::clamp(point, middle - most, middle + most);
 }
 
-std::vector<std::string> Eye::options() const
+std::vector<std::string> OrbitCamera::options() const
 {
     const std::string angles = text(number_word(azimuth_), ",", number_word(elevation_));
     if (!distance_)
@@ -87,12 +87,12 @@ std::vector<std::string> Eye::options() const
     return options;
 }
 
-glm::dvec3 Eye::target(const World& world) const
+glm::dvec3 OrbitCamera::target(const World& world) const
 {
     return target_.value_or(middle_of(world.bounds) + world.origin);
 }
 
-void Eye::fix(const World& world)
+void OrbitCamera::fix(const World& world)
 {
     distance_ = distance(world);
     target_ = target(world);

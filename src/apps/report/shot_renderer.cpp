@@ -1,4 +1,4 @@
-#include "apps/report/workshop.h"
+#include "apps/report/shot_renderer.h"
 
 #include "apps/common/load_environment.h"
 #include "apps/common/picture_setup.h"
@@ -65,15 +65,15 @@ double without_noise(double error, const std::optional<double>& noise)
 }
 
 // A scene and its renderer, which refers to it.
-struct Workshop::Stage {
+struct ShotRenderer::Stage {
     std::string key;
     scene::Scene scene;
     std::unique_ptr<draw::Renderer> renderer;
 };
 
-Workshop::Workshop(WorkshopSettings settings) : settings_(std::move(settings)) {}
+ShotRenderer::ShotRenderer(ShotRendererSettings settings) : settings_(std::move(settings)) {}
 
-Workshop::~Workshop()
+ShotRenderer::~ShotRenderer()
 {
     writing_.cancel();
     try {
@@ -82,13 +82,13 @@ Workshop::~Workshop()
     }
 }
 
-void Workshop::done(double seconds)
+void ShotRenderer::done(double seconds)
 {
     if (settings_.progress)
         settings_.progress(seconds);
 }
 
-Words Workshop::words_of(const Shot& shot) const
+Words ShotRenderer::words_of(const Shot& shot) const
 {
     std::istringstream stream(shot.words);
     Words words{std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>()};
@@ -103,7 +103,7 @@ Words Workshop::words_of(const Shot& shot) const
     return words;
 }
 
-const scene::Scene& Workshop::scene_of(const cli::RenderArguments& arguments)
+const scene::Scene& ShotRenderer::scene_of(const cli::RenderArguments& arguments)
 {
     const std::string key = scene_key(arguments);
     if (!stage_ || stage_->key != key) {
@@ -114,7 +114,7 @@ const scene::Scene& Workshop::scene_of(const cli::RenderArguments& arguments)
     return stage_->scene;
 }
 
-const environment::Environment* Workshop::environment(const std::string& name)
+const environment::Environment* ShotRenderer::environment(const std::string& name)
 {
     auto found = environments_.find(name);
     if (found == environments_.end()) {
@@ -125,7 +125,7 @@ const environment::Environment* Workshop::environment(const std::string& name)
     return found->second ? &*found->second : nullptr;
 }
 
-const image::RadianceImage* Workshop::raw_environment(const std::string& name)
+const image::RadianceImage* ShotRenderer::raw_environment(const std::string& name)
 {
     auto found = raw_environments_.find(name);
     if (found == raw_environments_.end()) {
@@ -135,7 +135,7 @@ const image::RadianceImage* Workshop::raw_environment(const std::string& name)
     return found->second ? &*found->second : nullptr;
 }
 
-draw::Frame Workshop::draw(const cli::RenderArguments& arguments)
+draw::Frame ShotRenderer::draw(const cli::RenderArguments& arguments)
 {
     const scene::Scene& scene = scene_of(arguments);
     if (!stage_->renderer)
@@ -148,7 +148,7 @@ draw::Frame Workshop::draw(const cli::RenderArguments& arguments)
     return frame;
 }
 
-const draw::Frame& Workshop::frame(const Shot& shot)
+const draw::Frame& ShotRenderer::frame(const Shot& shot)
 {
     const Words words = words_of(shot), key = without_display(words);
     auto found = frames_.find(key);
@@ -157,44 +157,44 @@ const draw::Frame& Workshop::frame(const Shot& shot)
     return found->second;
 }
 
-draw::Frame Workshop::layers(const Shot& shot)
+draw::Frame ShotRenderer::layers(const Shot& shot)
 {
     cli::RenderArguments arguments = parse_render(words_of(shot));
     arguments.layers = "layers";
     return draw(arguments);
 }
 
-image::CodeImage Workshop::codes(const Shot& shot)
+image::CodeImage ShotRenderer::codes(const Shot& shot)
 {
     return display::to_codes(frame(shot).radiance, parse_render(words_of(shot)).display);
 }
 
-view::Camera Workshop::camera(const Shot& shot)
+view::Camera ShotRenderer::camera(const Shot& shot)
 {
     const cli::RenderArguments arguments = parse_render(words_of(shot));
     return cli::choose_camera(arguments, scene_of(arguments));
 }
 
-Picture Workshop::picture(const Shot& shot)
+PagePicture ShotRenderer::picture(const Shot& shot)
 {
     image::CodeImage image = codes(shot);
     const std::string file =
         image::file_kind(shot.name) == image::FileKind::unknown ? shot.name + ".png" : shot.name;
-    Picture picture{file, image.width, image.height, shot.title, shot.alt, {}, {}};
+    PagePicture picture{file, image.width, image.height, shot.title, shot.alt, {}, {}};
     picture.commands = {typed(output_words("render", words_of(shot), file))};
     write(std::move(image), file);
     return picture;
 }
 
 // With the options for how it is shown.
-Words Workshop::reference_words(const Shot& shot) const
+Words ShotRenderer::reference_words(const Shot& shot) const
 {
     Words words = without_approximations(words_of(shot));
     append(words, {"--bounces", "0", "--noise", text(settings_.noise), "--spp", text(settings_.samples)});
     return words;
 }
 
-const reference::Result& Workshop::reference(const Shot& shot)
+const reference::Result& ShotRenderer::reference(const Shot& shot)
 {
     const Words words = without_display(reference_words(shot));
     auto found = references_.find(words);
@@ -215,24 +215,24 @@ const reference::Result& Workshop::reference(const Shot& shot)
     return found->second;
 }
 
-Picture Workshop::reference_picture(const Shot& shot)
+PagePicture ShotRenderer::reference_picture(const Shot& shot)
 {
     const std::string file = shot.name + "-reference.png";
     image::CodeImage seen = display::to_codes(reference(shot).radiance, parse_render(words_of(shot)).display);
-    Picture picture{file, seen.width, seen.height, "path-traced", "Path-traced: " + shot.alt, {}, {}};
+    PagePicture picture{file, seen.width, seen.height, "path-traced", "Path-traced: " + shot.alt, {}, {}};
     picture.commands = {typed(output_words("reference", reference_words(shot), file))};
     write(std::move(seen), file);
     return picture;
 }
 
-Picture Workshop::heat_picture(const Shot& shot)
+PagePicture ShotRenderer::heat_picture(const Shot& shot)
 {
     const compare::ErrorMap map =
         compare::relative_error({cut_light(frame(shot).radiance), cut_light(reference(shot).radiance)});
     image::CodeImage heat = compare::heat_map(map, {"relative error", 1.0, compare::mean(map)});
     const std::string file = shot.name + "-error.png", drawn = shot.name + ".exr",
                       traced = shot.name + "-reference.exr";
-    Picture picture{file, heat.width, heat.height, shot.title, "Where it errs: " + shot.alt, {}, {}};
+    PagePicture picture{file, heat.width, heat.height, shot.title, "Where it errs: " + shot.alt, {}, {}};
     picture.commands = {
         typed(output_words("render", without_display(words_of(shot)), drawn)),
         typed(output_words("reference", without_display(reference_words(shot)), traced)),
@@ -242,7 +242,7 @@ Picture Workshop::heat_picture(const Shot& shot)
     return picture;
 }
 
-Proof Workshop::prove(const Shot& shot)
+Proof ShotRenderer::prove(const Shot& shot)
 {
     const image::RadianceImage drawn = cut_light(frame(shot).radiance),
                                exact = cut_light(reference(shot).radiance);
@@ -257,14 +257,14 @@ Proof Workshop::prove(const Shot& shot)
     return proof;
 }
 
-void Workshop::write(image::CodeImage codes, const std::string& name)
+void ShotRenderer::write(image::CodeImage codes, const std::string& name)
 {
     files_.push_back(name);
     writing_.run(
         [image = std::move(codes), path = settings_.folder / name] { image::write_codes(image, path); });
 }
 
-std::vector<std::string> Workshop::finish()
+std::vector<std::string> ShotRenderer::finish()
 {
     writing_.wait();
     return files_;

@@ -41,12 +41,12 @@ struct Found {
 };
 
 /// Safe for many threads.
-class Stock {
+class AssetCache {
 public:
-    explicit Stock(StockOptions options = {});
-    Stock(const Stock&) = delete;
-    Stock& operator=(const Stock&) = delete;
-    ~Stock();
+    explicit AssetCache(StockOptions options = {});
+    AssetCache(const AssetCache&) = delete;
+    AssetCache& operator=(const AssetCache&) = delete;
+    ~AssetCache();
 
     /// Called, from the loading thread, whenever something asked for was loaded or failed to. Waits for a call that is under
     /// way: what the old function used may then go.

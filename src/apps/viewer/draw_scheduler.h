@@ -13,12 +13,12 @@ namespace lambent::viewer {
 
 /// One thread, which uses all others of TBB. A long picture (something at rest, a trace, a file) ends early when it is no
 /// longer wanted, and pauses whenever something moves: of the time then at most a quarter is its.
-class Desk {
+class DrawScheduler {
 public:
-    explicit Desk(Stock& stock);
-    Desk(const Desk&) = delete;
-    Desk& operator=(const Desk&) = delete;
-    ~Desk();
+    explicit DrawScheduler(AssetCache& assets);
+    DrawScheduler(const DrawScheduler&) = delete;
+    DrawScheduler& operator=(const DrawScheduler&) = delete;
+    ~DrawScheduler();
 
     void add(std::shared_ptr<Session> session);
 
@@ -65,7 +65,7 @@ private:
     void finish(const Plan& plan, Session& session, draw::Frame frame, double milliseconds) const;
     bool goes_on(const Plan& plan, const Place& place, Clock::time_point start);
 
-    Stock& stock_;
+    AssetCache& assets_;
     std::mutex mutex_;
     std::condition_variable wake_;
     Places places_;

@@ -17,13 +17,13 @@ struct EyeLimits {
 };
 
 /// Angles in degrees, lengths in metres; targets are points of the world.
-class Eye {
+class OrbitCamera {
 public:
-    Eye() = default;
-    Eye(double azimuth, double elevation) : azimuth_(azimuth), elevation_(elevation) {}
+    OrbitCamera() = default;
+    OrbitCamera(double azimuth, double elevation) : azimuth_(azimuth), elevation_(elevation) {}
 
     /// At a distance above 0 from a point; without one from the scene's middle.
-    Eye(double azimuth, double elevation, double distance, const std::optional<glm::dvec3>& target)
+    OrbitCamera(double azimuth, double elevation, double distance, const std::optional<glm::dvec3>& target)
         : azimuth_(azimuth), elevation_(elevation), distance_(distance), target_(target)
     {
     }

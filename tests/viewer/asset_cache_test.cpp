@@ -1,5 +1,5 @@
 // Scenes shared and loaded again.
-#include "apps/viewer/stock.h"
+#include "apps/viewer/asset_cache.h"
 #include "base/error.h"
 #include "base/file.h"
 #include "tests/support/process.h"
@@ -34,35 +34,35 @@ const std::string model_with_camera =
 
 // Waits until `condition` holds of what is there.
 template <class Condition>
-bool eventually(Stock& stock, const cli::RenderArguments& arguments, Condition&& condition)
+bool eventually(AssetCache& assets, const cli::RenderArguments& arguments, Condition&& condition)
 {
     for (int i = 0; i < 600 * testing::patience; ++i) {
-        if (condition(stock.model(arguments)))
+        if (condition(assets.model(arguments)))
             return true;
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
     return false;
 }
 
-TEST(Stock, GivesTheSameSceneToEverybody)
+TEST(AssetCache, GivesTheSameSceneToEverybody)
 {
-    Stock stock({.cache = false});
+    AssetCache assets({.cache = false});
     const cli::RenderArguments arguments = arguments_for("sphere");
-    stock.load(arguments);
-    const Found<Model> one = stock.model(arguments), two = stock.model(arguments);
+    assets.load(arguments);
+    const Found<Model> one = assets.model(arguments), two = assets.model(arguments);
     EXPECT_NE(one.value, nullptr);
     EXPECT_EQ(one.value, two.value);
     cli::RenderArguments other = arguments;
     other.builtin.exponent = 3.0f;
-    stock.load(other);
-    EXPECT_NE(stock.model(other).value, one.value);
+    assets.load(other);
+    EXPECT_NE(assets.model(other).value, one.value);
 }
 
-TEST(Stock, SaysWhatCannotBeLoaded)
+TEST(AssetCache, SaysWhatCannotBeLoaded)
 {
-    Stock stock({.cache = false});
+    AssetCache assets({.cache = false});
     try {
-        stock.load(arguments_for("nowhere.glb"));
+        assets.load(arguments_for("nowhere.glb"));
         ADD_FAILURE() << "loaded";
     } catch (const Error& error) {
         EXPECT_EQ(error.failure(), Failure::bad_input);
@@ -70,32 +70,33 @@ TEST(Stock, SaysWhatCannotBeLoaded)
     }
 }
 
-TEST(Stock, LoadsFilesAgainWhenTheyChangeAndKeepsTheOldWhenTheyBreak)
+TEST(AssetCache, LoadsFilesAgainWhenTheyChangeAndKeepsTheOldWhenTheyBreak)
 {
     const testing::Folder folder;
     const std::string file = folder.path("a.gltf");
     write(file, empty_model);
-    Stock stock({.cache = false});
+    AssetCache assets({.cache = false});
     const cli::RenderArguments arguments = arguments_for(file);
-    stock.load(arguments);
-    const std::shared_ptr<Model> first = stock.model(arguments).value;
+    assets.load(arguments);
+    const std::shared_ptr<Model> first = assets.model(arguments).value;
     EXPECT_TRUE(first->scene().cameras.empty());
     write(file, model_with_camera);
-    EXPECT_TRUE(eventually(stock, arguments, [](const Found<Model>& found) {
+    EXPECT_TRUE(eventually(assets, arguments, [](const Found<Model>& found) {
         return found.value->scene().cameras.size() == 1;
     }));
-    const std::shared_ptr<Model> second = stock.model(arguments).value;
+    const std::shared_ptr<Model> second = assets.model(arguments).value;
     write(file, "{ broken");
-    EXPECT_TRUE(eventually(stock, arguments, [](const Found<Model>& found) { return !found.error.empty(); }));
-    EXPECT_EQ(stock.model(arguments).value, second);
+    EXPECT_TRUE(
+        eventually(assets, arguments, [](const Found<Model>& found) { return !found.error.empty(); }));
+    EXPECT_EQ(assets.model(arguments).value, second);
     write(file, empty_model);
-    EXPECT_TRUE(eventually(stock, arguments, [&](const Found<Model>& found) {
+    EXPECT_TRUE(eventually(assets, arguments, [&](const Found<Model>& found) {
         return found.error.empty() && found.value != second;
     }));
 }
 
 // Buffers and images beside a glTF are as much of it as its own file; one that breaks it is said, and mended by itself.
-TEST(Stock, WatchesTheFilesBesideAModel)
+TEST(AssetCache, WatchesTheFilesBesideAModel)
 {
     const testing::Folder folder;
     const std::string file = folder.path("a.gltf"), buffer = folder.path("a b.bin");
@@ -106,10 +107,10 @@ TEST(Stock, WatchesTheFilesBesideAModel)
         "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
         "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
         "bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36, "uri": "a%20b.bin"}]})");
-    Stock stock({.cache = false});
+    AssetCache assets({.cache = false});
     const cli::RenderArguments arguments = arguments_for(file);
-    stock.load(arguments);
-    const std::shared_ptr<Model> first = stock.model(arguments).value;
+    assets.load(arguments);
+    const std::shared_ptr<Model> first = assets.model(arguments).value;
     EXPECT_EQ(first->bounds().high.x, 0.0f);
     const auto write_corner = [&](std::size_t bytes) {
         std::string moved = corners;
@@ -118,10 +119,11 @@ TEST(Stock, WatchesTheFilesBesideAModel)
         write(buffer, moved.substr(0, bytes));
     };
     write_corner(20);
-    EXPECT_TRUE(eventually(stock, arguments, [](const Found<Model>& found) { return !found.error.empty(); }));
-    EXPECT_EQ(stock.model(arguments).value, first);
+    EXPECT_TRUE(
+        eventually(assets, arguments, [](const Found<Model>& found) { return !found.error.empty(); }));
+    EXPECT_EQ(assets.model(arguments).value, first);
     write_corner(36);
-    EXPECT_TRUE(eventually(stock, arguments, [](const Found<Model>& found) {
+    EXPECT_TRUE(eventually(assets, arguments, [](const Found<Model>& found) {
         return found.error.empty() && found.value->bounds().high.x == 3.0f;
     }));
 }
@@ -139,29 +141,29 @@ std::string write_model_out_of_folder(const testing::Folder& folder)
     return folder.path("inside/a.gltf");
 }
 
-TEST(Stock, ReadsNothingOutOfItsReach)
+TEST(AssetCache, ReadsNothingOutOfItsReach)
 {
     const testing::Folder folder;
     const cli::RenderArguments arguments = arguments_for(write_model_out_of_folder(folder));
-    Stock narrow({.cache = false});
+    AssetCache narrow({.cache = false});
     EXPECT_THROW(narrow.load(arguments), Error);
-    Stock inside({.cache = false, .reach = {false, {folder.path("inside")}}});
+    AssetCache inside({.cache = false, .reach = {false, {folder.path("inside")}}});
     EXPECT_THROW(inside.load(arguments), Error);
-    Stock around({.cache = false, .reach = {false, {folder.path("")}}});
+    AssetCache around({.cache = false, .reach = {false, {folder.path("")}}});
     around.load(arguments);
-    Stock anywhere({.cache = false, .reach = {true, {}}});
+    AssetCache anywhere({.cache = false, .reach = {true, {}}});
     anywhere.load(arguments);
 }
 
-TEST(Stock, IsStrictIfAsked)
+TEST(AssetCache, IsStrictIfAsked)
 {
     const testing::Folder folder;
     const std::string file = folder.path("a.gltf");
     write(file, R"({"asset": {"version": "2.0"}, "extensionsUsed": ["VENDOR_x"], "scenes": [{}]})");
-    Stock mild({.cache = false});
+    AssetCache mild({.cache = false});
     mild.load(arguments_for(file));
     EXPECT_FALSE(mild.model(arguments_for(file)).value->warnings().empty());
-    Stock strict({.cache = false, .strict = true});
+    AssetCache strict({.cache = false, .strict = true});
     try {
         strict.load(arguments_for(file));
         ADD_FAILURE() << "loaded";
@@ -171,16 +173,16 @@ TEST(Stock, IsStrictIfAsked)
     }
 }
 
-TEST(Stock, KeepsLittleThatNobodyLooksAt)
+TEST(AssetCache, KeepsLittleThatNobodyLooksAt)
 {
-    Stock stock({.cache = false});
+    AssetCache assets({.cache = false});
     std::weak_ptr<Model> first;
     for (int i = 1; i < 30; ++i) {
         cli::RenderArguments arguments = arguments_for("plane");
         arguments.builtin.exponent = static_cast<float>(i);
-        stock.load(arguments);
+        assets.load(arguments);
         if (i == 1)
-            first = stock.model(arguments).value;
+            first = assets.model(arguments).value;
     }
     EXPECT_TRUE(first.expired());
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "apps/options/arguments.h"
-#include "apps/viewer/eye.h"
+#include "apps/viewer/orbit_camera.h"
 #include "apps/viewer/parameters.h"
 
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace lambent::viewer {
 
-struct Wish {
+struct ViewRequest {
     /// Each option by itself, without the camera and the moment: also what says nothing of this scene and model.
     cli::RenderArguments asked;
-    Eye eye;
+    OrbitCamera eye;
     double moment = 0.0; ///< of the animation, seconds from its start
 };
 
@@ -22,40 +22,40 @@ constexpr std::size_t most_lights = 16;
 constexpr int most_pixels = 2560 * 1600;
 
 /// A scene from where it is looked at first, with every option at its default.
-Wish plain_wish(const std::string& scene, const std::string& environment);
+ViewRequest plain_wish(const std::string& scene, const std::string& environment);
 
 /// What a command line asks to see at first, without its animation and the camera of the scene. Throws Error(usage) where a value is none that its control can be set to.
-Wish first_wish(const cli::StartArguments& start);
+ViewRequest first_wish(const cli::StartArguments& start);
 
 /// Where a scene is looked at from at first.
-Eye first_eye(const std::string& scene);
+OrbitCamera first_eye(const std::string& scene);
 
-/// The view of a camera of the scene, upright. `wish` gets its field of view; an orthographic one becomes one that sees as
+/// The view of a camera of the scene, upright. `request` gets its field of view; an orthographic one becomes one that sees as
 /// much at the scene's middle. Throws Error(usage) where there is no camera of this name.
-void look_through(Wish& wish, const scene::Scene& scene, const std::string& camera);
+void look_through(ViewRequest& request, const scene::Scene& scene, const std::string& camera);
 
 /// Checks the words and takes them. Throws Error(usage) with one line.
-void set_lights(Wish& wish, const std::vector<std::string>& lights);
+void set_lights(ViewRequest& request, const std::vector<std::string>& lights);
 
 /// Sides are cut to what may be drawn: from 16 pixels to most_pixels in all, in the proportion asked for.
-void set_size(Wish& wish, double width, double height);
+void set_size(ViewRequest& request, double width, double height);
 
 /// An animation of the scene by its number, at its start; below 0: none. Throws Error(usage) where there is none such.
-void animate(Wish& wish, const std::vector<scene::AnimationInfo>& animations, double number);
+void animate(ViewRequest& request, const std::vector<scene::AnimationInfo>& animations, double number);
 
 /// The number of the animation that is wished; -1: none, or it is not there.
-int animation_of(const Wish& wish, const std::vector<scene::AnimationInfo>& animations);
+int animation_of(const ViewRequest& request, const std::vector<scene::AnimationInfo>& animations);
 
 /// The environment's rotation grows by so many degrees, and stays from -180 to 180.
-void turn_environment(Wish& wish, double degrees);
+void turn_environment(ViewRequest& request, double degrees);
 
 /// "render", the scene and the options, without an output.
-std::vector<std::string> words_of(const Wish& wish);
+std::vector<std::string> words_of(const ViewRequest& request);
 
 /// The command that writes the picture, for a POSIX shell.
-std::string command_of(const Wish& wish, const std::string& output);
+std::string command_of(const ViewRequest& request, const std::string& output);
 
 /// What `lambent` takes from these words: a picture drawn from this is the command's.
-cli::RenderArguments arguments_of(const Wish& wish);
+cli::RenderArguments arguments_of(const ViewRequest& request);
 
 } // namespace lambent::viewer
