@@ -25,7 +25,8 @@ static_assert(sizeof(LampRecord) == 32 && offsetof(LampRecord, light) == 16);
 static_assert(sizeof(InstanceRecord) == 112 + 4 * texture_room && offsetof(InstanceRecord, sets) == 112);
 static_assert(sizeof(MeshRecord) == 32 && sizeof(UseRecord) == 48);
 static_assert(offsetof(MaterialRecord, phong_diffuse) == 4 * (parameter_room + texture_room));
-static_assert(offsetof(MaterialRecord, uses) == offsetof(MaterialRecord, phong_diffuse) + 64);
+static_assert(offsetof(MaterialRecord, uses) ==
+              offsetof(MaterialRecord, phong_diffuse) + 64 + 4 * texture_room);
 static_assert(sizeof(MaterialRecord) == offsetof(MaterialRecord, uses) + texture_count * sizeof(UseRecord));
 static_assert(sizeof(TextureRecord) == 288 && offsetof(TextureRecord, levels) == 32);
 static_assert(sizeof(PictureRecord) == 416 && offsetof(PictureRecord, layers) == 352);

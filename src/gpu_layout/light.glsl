@@ -7,6 +7,7 @@ const int constant_pass = 0;
 const int constant_model = 1;
 const int constant_levels = 2;   // of light
 const int constant_textured = 2; // of surfaces: 1 where there are textures
+const int constant_layered = 3;  // of surfaces and light: 1 where there are lobes over the base
 
 const int pass_direct = 0;
 const int pass_ambient = 1;

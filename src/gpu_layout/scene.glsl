@@ -33,7 +33,8 @@ struct MaterialRecord {
     vec4 phong_diffuse;  // w: 1 where given
     vec4 phong_specular; // w: 1 where given
     vec4 phong_exponent; // x; y: 1 where given; z: alpha's cutoff
-    ivec4 kind;          // alpha mode; 1 if unlit
+    ivec4 kind;          // alpha mode; 1 if unlit; how many textures it has
+    int used[texture_room]; // their numbers
     UseRecord uses[texture_count];
 };
 

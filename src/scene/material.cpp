@@ -40,6 +40,14 @@ static_assert(count_rows().in_order, "numbers follow each other");
 
 } // namespace
 
+bool has_layers(const Material& material)
+{
+    return false
+#define LAYER(name, number, normal) || material.name > 0.0f
+#include "shading/lobes/layers.h"
+        ;
+}
+
 std::array<float, parameter_numbers> factors_of(const Material& material)
 {
     std::array<float, parameter_numbers> factors{};

@@ -81,6 +81,9 @@ void for_each_texture(SomeMaterial& material, const Visit& visit)
 #include "shading/material/textures.h"
 }
 
+/// Whether a lobe may lie over its base (shading/lobes/layers.h).
+bool has_layers(const Material& material);
+
 /// The factors by the parameters' numbers.
 std::array<float, parameter_numbers> factors_of(const Material& material);
 

@@ -22,6 +22,12 @@ HWY_INLINE void store(const Fragment& f, int column, Real value)
     store(value, f.values + static_cast<size_t>(column) * f.capacity);
 }
 
+// Asking each vector of fragments costs next to nothing.
+HWY_INLINE int has_layers()
+{
+    return 1;
+}
+
 // The table's part of that number at whole coordinates.
 HWY_INLINE Real albedo_entry(Real column, Real row, int part)
 {

@@ -8,6 +8,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = constant_looks) const int looks = 1;
 layout(constant_id = constant_through) const int through = 1;
 
+int has_layers() { return 0; }
 int model_of(Environment e) { return model_ggx; }
 int levels_of(Environment e) { return picture.panorama.y > 0.0 ? levels_pipeline : levels_matched; }
 

@@ -6,9 +6,11 @@
 
 layout(local_size_x = group_size) in;
 layout(constant_id = constant_pass) const int pass = pass_specular;
+layout(constant_id = constant_layered) const int layered = 1;
 layout(constant_id = constant_model) const int model = model_ggx;
 layout(constant_id = constant_levels) const int levels = levels_matched;
 
+int has_layers() { return layered; }
 int model_of(Environment e) { return model; }
 int levels_of(Environment e) { return levels; }
 

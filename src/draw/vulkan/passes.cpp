@@ -101,18 +101,20 @@ const vulkan::ComputePipeline& Passes::gather(int wave)
 
 const vulkan::ComputePipeline& Passes::surfaces()
 {
-    static_assert(constant_model == 1 && constant_textured == 2);
-    const std::array constants = {0u, model_of(choice_), choice_.textured ? 1u : 0u};
+    static_assert(constant_model == 1 && constant_textured == 2 && constant_layered == 3);
+    const std::array constants = {0u, model_of(choice_), choice_.textured ? 1u : 0u,
+                                  choice_.layered ? 1u : 0u};
     return made(surfaces_, surface_code, constants);
 }
 
 const vulkan::ComputePipeline& Passes::light(int pass)
 {
-    static_assert(constant_pass == 0 && constant_levels == 2);
+    static_assert(constant_pass == 0 && constant_levels == 2 && constant_layered == 3);
     const int levels = choice_.is_pipeline                     ? levels_pipeline
                        : choice_.mip_level == MipLevel::report ? levels_report
                                                                : levels_matched;
-    const std::array constants = {static_cast<uint>(pass), model_of(choice_), static_cast<uint>(levels)};
+    const std::array constants = {static_cast<uint>(pass), model_of(choice_), static_cast<uint>(levels),
+                                  choice_.layered ? 1u : 0u};
     return made(light_[pass], light_code, constants);
 }
 

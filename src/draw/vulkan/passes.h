@@ -15,6 +15,7 @@ struct PassChoice {
     MipLevel mip_level = MipLevel::matched;
     bool is_pipeline = false; ///< of the report
     bool textured = true;     ///< whether anything is
+    bool layered = true;      ///< whether there are lobes over anything's base
     bool through = true;      ///< whether anything can be seen through
 
     bool operator==(const PassChoice&) const = default;

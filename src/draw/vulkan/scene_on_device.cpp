@@ -193,8 +193,12 @@ void SceneOnDevice::place_materials(const vulkan::Device& device, const scene::S
                                  m.alpha_cutoff, 0.0f};
         record.kind = {alpha_of(m.alpha_mode), m.unlit ? 1 : 0, 0, 0};
         has_unlit_ = has_unlit_ || m.unlit;
+        has_layers_ = has_layers_ || scene::has_layers(m);
         for_each_texture(m, [&](int number, const scene::TextureUse& use, scene::TextureCodes) {
-            record.uses[number] = use_record(use, textures.index(own[static_cast<std::size_t>(number)]));
+            const int texture = textures.index(own[static_cast<std::size_t>(number)]);
+            record.uses[number] = use_record(use, texture);
+            if (texture >= 0)
+                record.used[record.kind.z++] = number;
         });
         records.push_back(record);
     }

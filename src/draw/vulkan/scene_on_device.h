@@ -38,6 +38,9 @@ public:
     /// Whether anything is shown without lighting.
     bool has_unlit() const { return has_unlit_; }
 
+    /// Whether it has materials with lobes over their base.
+    bool has_layers() const { return has_layers_; }
+
     /// Whether something is behind other things and seen.
     bool transparent() const { return transparent_; }
 
@@ -57,6 +60,7 @@ private:
     std::vector<vulkan::Buffer> texels_;
     std::vector<vulkan::DrawBatch> batches_;
     bool has_unlit_ = false;
+    bool has_layers_ = false;
     bool transparent_ = false;
 };
 

@@ -2,7 +2,8 @@
 
 // A triangle's corners in its mesh, and the place in the picture that shows it.
 struct Source {
-    InstanceRecord instance;
+    uint instance;
+    uint material;
     MeshRecord mesh;
     uvec3 corners;
     vec2 place;
@@ -10,17 +11,19 @@ struct Source {
 
 Source source_at(uint at)
 {
-    InstanceRecord instance = instances[records[at].ids.x];
-    MeshRecord mesh = meshes[instance.ids.x];
-    return Source(instance, mesh, corners_of(mesh, records[at].ids.y), records[at].place.xy);
+    FragmentRecord record = records[at];
+    uvec4 ids = instances[record.ids.x].ids;
+    MeshRecord mesh = meshes[ids.x];
+    return Source(record.ids.x, ids.y, mesh, corners_of(mesh, record.ids.y), record.place.xy);
 }
 
+int has_layers() { return layered; }
 int model_of(Source s) { return model; }
 float compensation_of(Source s) { return picture.rotation.w; }
 SightRay sight_of(Source s) { return sight_through(s.place); }
-Triangle triangle_of(Source s) { return triangle_of(s.instance, s.mesh, s.corners); }
+Triangle triangle_of(Source s) { return triangle_of(instances[s.instance], s.mesh, s.corners); }
 Meeting meeting_of(Source s, SightRay sight, Triangle triangle) { return meeting_with(sight, triangle); }
-float handedness(Source s) { return s.instance.normal_z.w; }
+float handedness(Source s) { return instances[s.instance].normal_z.w; }
 
 Corners corner_normals(Source s)
 {
@@ -30,7 +33,7 @@ Corners corner_normals(Source s)
 
 mat3 normals_to_world(Source s)
 {
-    return transpose(mat3(s.instance.normal_x.xyz, s.instance.normal_y.xyz, s.instance.normal_z.xyz));
+    return transpose(mat3(instances[s.instance].normal_x.xyz, instances[s.instance].normal_y.xyz, instances[s.instance].normal_z.xyz));
 }
 
 vec4 fours_at(Source s, Barycentric at, uint words_at)
@@ -62,20 +65,23 @@ TexturePoint texture_point(Source s, UseRecord use, uint set, Barycentric at)
                         transformed(use, at.b_dx * b + at.c_dx * c), transformed(use, at.b_dy * b + at.c_dy * c));
 }
 
-// 1 where the material has none; of masks, alpha is the share that is there. One loop: compilers take their time over them.
+// 1 where the material has none; of masks, alpha is the share that is there. One loop over those that it has: compilers take
+// their time over them, and some devices run all of a branch that nobody takes.
 Texels texels_of(Source s, Barycentric at, Texel vertex)
 {
-    uint material = s.instance.ids.y;
+    uint material = s.material;
+    bool is_mask = materials[material].kind.x == alpha_mask;
+    MaskCut mask = MaskCut(is_mask, vertex.a, materials[material].factors[3], materials[material].phong_exponent.z);
     vec4 read[texture_count];
-    MaskCut mask = MaskCut(false, vertex.a, materials[material].factors[3], materials[material].phong_exponent.z);
-    for (int i = 0; i < texture_count; ++i) {
-        mask.used = i == texture_base_color && materials[material].kind.x == alpha_mask;
-        UseRecord use = materials[material].uses[i];
+    for (int i = 0; i < texture_count; ++i)
         read[i] = vec4(1.0);
-        if (textured == 1 && use.ids.x >= 0)
-            read[i] = read_texture(use.ids.x, texture_point(s, use, s.instance.sets[i], at), mask);
-        else if (mask.used)
-            read[i].a = there(mask, 1.0);
+    if (is_mask)
+        read[texture_base_color].a = there(mask, 1.0);
+    for (int k = 0; textured == 1 && k < materials[material].kind.z; ++k) {
+        int i = materials[material].used[k];
+        UseRecord use = materials[material].uses[i];
+        mask.used = is_mask && i == texture_base_color;
+        read[i] = read_texture(use.ids.x, texture_point(s, use, instances[s.instance].sets[i], at), mask);
     }
     Texels t = {
 #define TEXTURE(name, number, transfer, object, key) texel_from(read[number]),
@@ -85,7 +91,7 @@ Texels texels_of(Source s, Barycentric at, Texel vertex)
     return t;
 }
 
-float factor(Source s, int number) { return materials[s.instance.ids.y].factors[number]; }
+float factor(Source s, int number) { return materials[s.material].factors[number]; }
 vec3 factor3(Source s, int number) { return vec3(factor(s, number), factor(s, number + 1), factor(s, number + 2)); }
 
 Material factors_of(Source s)
@@ -101,8 +107,8 @@ Material factors_of(Source s)
     return m;
 }
 
-int alpha_mode(Source s) { return materials[s.instance.ids.y].kind.x; }
-int is_unlit(Source s) { return materials[s.instance.ids.y].kind.y; }
+int alpha_mode(Source s) { return materials[s.material].kind.x; }
+int is_unlit(Source s) { return materials[s.material].kind.y; }
 
 float own_or_given_alpha(Source s, float own)
 {
@@ -111,21 +117,21 @@ float own_or_given_alpha(Source s, float own)
 
 int has_normal_map(Source s, int texture)
 {
-    return materials[s.instance.ids.y].uses[texture].ids.x >= 0 && s.mesh.vectors.z != no_words ? 1 : 0;
+    return materials[s.material].uses[texture].ids.x >= 0 && s.mesh.vectors.z != no_words ? 1 : 0;
 }
 
-float normal_scale(Source s, int texture) { return materials[s.instance.ids.y].normal_scales[texture]; }
-vec3 tangent_at(Source s, Barycentric at) { return world_vector(s.instance, fours_at(s, at, s.mesh.vectors.z).xyz); }
+float normal_scale(Source s, int texture) { return materials[s.material].normal_scales[texture]; }
+vec3 tangent_at(Source s, Barycentric at) { return world_vector(instances[s.instance], fours_at(s, at, s.mesh.vectors.z).xyz); }
 
 float tangent_side(Source s)
 {
-    return s.instance.normal_z.w * word(s.mesh.vectors.z + 4u * s.corners.x + 3u);
+    return instances[s.instance].normal_z.w * word(s.mesh.vectors.z + 4u * s.corners.x + 3u);
 }
 
 GivenPhong given_phong(Source s)
 {
-    vec4 diffuse = materials[s.instance.ids.y].phong_diffuse;
-    vec4 specular = materials[s.instance.ids.y].phong_specular;
-    vec4 exponent = materials[s.instance.ids.y].phong_exponent;
+    vec4 diffuse = materials[s.material].phong_diffuse;
+    vec4 specular = materials[s.material].phong_specular;
+    vec4 exponent = materials[s.material].phong_exponent;
     return GivenPhong(diffuse.rgb, specular.rgb, exponent.x, vec3(diffuse.w, specular.w, exponent.y));
 }

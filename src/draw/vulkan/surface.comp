@@ -6,6 +6,7 @@
 #include "draw/vulkan/textures.glsl"
 
 layout(local_size_x = group_size) in;
+layout(constant_id = constant_layered) const int layered = 1;
 layout(constant_id = constant_model) const int model = model_ggx;
 layout(constant_id = constant_textured) const int textured = 1;
 #include "draw/vulkan/sources.glsl"

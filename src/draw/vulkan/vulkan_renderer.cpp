@@ -73,6 +73,7 @@ public:
                                    settings.mip_level,
                                    settings.pipeline.has_value(),
                                    !first_.images.empty(),
+                                   prepared_->has_layers(),
                                    prepared_->transparent()};
         const std::size_t layers = picture.frame.layers.size() + (prepared_->has_unlit() ? 1 : 0);
         const TileShape shape = tile_shape(device_, settings, choice.looks, static_cast<int>(layers));

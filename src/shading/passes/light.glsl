@@ -55,7 +55,7 @@ vec3 direct_light(Environment e, Fragment f, Receiver r, Arrival a)
         return direct_phong_in_pixel(r.phong, r.shiny, a);
     vec3 light = direct_metallic_in_pixel(metallic_of(e, r.material), r.albedo, r.shiny, a);
 #define LAYER(name, number, texture)                                                                        \
-    if (any_of(r.material.name > 0.0))                                                                      \
+    if (has_layers() != 0 && any_of(r.material.name > 0.0))                                                                      \
         light = direct_through(layer_at(f, r.material.name, facets_##name(r.material, compensation_of(e)), number), \
                                light, a);
 #include "shading/lobes/layers.h"
@@ -67,7 +67,7 @@ vec3 through_layers(Environment e, Fragment f, Material m, vec3 light)
 {
     vec3 left = light;
 #define LAYER(name, number, texture) \
-    if (any_of(m.name > 0.0))         \
+    if (has_layers() != 0 && any_of(m.name > 0.0))         \
         left = layer_at(f, m.name, facets_##name(m, compensation_of(e)), number).left * left;
 #include "shading/lobes/layers.h"
     return left;
@@ -155,7 +155,7 @@ void add_specular(Environment e, Fragment f)
         Material m = load_material(f);
         light = reflected_metallic(e, metallic_of(e, m), s);
 #define LAYER(name, number, texture)                                                                          \
-    if (any_of(m.name > 0.0))                                                                                 \
+    if (has_layers() != 0 && any_of(m.name > 0.0))                                                                                 \
         light = reflected_through(e, layer_at(f, m.name, facets_##name(m, compensation_of(e)), number), light);
 #include "shading/lobes/layers.h"
     }
