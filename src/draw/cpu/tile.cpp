@@ -2,36 +2,20 @@
 
 #include "draw/cpu/light_choice.h"
 #include "draw/layer_list.h"
-#include "draw/reach.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace lambent::draw {
-namespace {
 
-constexpr std::uint32_t no_surface = std::numeric_limits<std::uint32_t>::max();
-
-// Two points of one surface belong together while the surface bends little between them and the second lies off the
-// first's plane by less than a pixel's width.
-bool same_surface(const Seen& a, const Seen& b, float least_cosine)
-{
-    if (a.instance != b.instance)
-        return false;
-    if (a.instance == Hit::nothing)
-        return true;
-    return glm::dot(a.normal, b.normal) > least_cosine &&
-           std::fabs(glm::dot(b.point - a.point, a.normal)) < a.pixel_width;
-}
-
-// The share of a surface that is seen, 0 to 1.
 float shown(const scene::Material& material, float opacity)
 {
     return material.alpha_mode == scene::AlphaMode::opaque ? 1.0f : std::clamp(opacity, 0.0f, 1.0f);
 }
+
+namespace {
 
 // Adds weight * (r, g, b, 1) to a pixel.
 void add(float* out, float weight, const glm::vec3& rgb)
@@ -40,11 +24,6 @@ void add(float* out, float weight, const glm::vec3& rgb)
     out[1] += weight * rgb.g;
     out[2] += weight * rgb.b;
     out[3] += weight;
-}
-
-bool shares_shading(const Hit& a, const Hit& b, float least_cosine)
-{
-    return a.instance == b.instance && a.front == b.front && glm::dot(a.normal, b.normal) > least_cosine;
 }
 
 } // namespace
@@ -68,188 +47,6 @@ void TileDrawer::draw(const TileArea& area, Frame& frame)
     for (const Look& look : looks_) // behind more layers than are drawn
         background_[look.pixel] += look.weight;
     add_background(frame, area);
-}
-
-// One look through the middle of every pixel of the area and of those around it, in blocks of 4x4: a packet of rays.
-void TileDrawer::look_at_centres(const TileArea& area)
-{
-    apron_x_ = std::max(area.x - 1, 0);
-    apron_y_ = std::max(area.y - 1, 0);
-    apron_width_ = std::min(area.x + area.width + 1, picture_.settings.width) - apron_x_;
-    apron_height_ = std::min(area.y + area.height + 1, picture_.settings.height) - apron_y_;
-    centres_.clear();
-    for (int block_y = 0; block_y < apron_height_; block_y += 4)
-        for (int block_x = 0; block_x < apron_width_; block_x += 4)
-            for (int row = block_y; row < std::min(block_y + 4, apron_height_); ++row)
-                for (int column = block_x; column < std::min(block_x + 4, apron_width_); ++column) {
-                    Look look;
-                    look.x = static_cast<float>(apron_x_ + column) + 0.5f;
-                    look.y = static_cast<float>(apron_y_ + row) + 0.5f;
-                    look.pixel = static_cast<std::uint32_t>(row * apron_width_ + column);
-                    centres_.push_back(look);
-                }
-    sight_.look(centres_);
-    seen_.resize(centres_.size());
-    centre_.resize(centres_.size());
-    const RayMap& rays = picture_.prepared.rays;
-    for (const Look& look : centres_) {
-        Seen& seen = seen_[look.pixel];
-        centre_[look.pixel] = static_cast<std::uint32_t>(&look - centres_.data());
-        seen.instance = look.hit.instance;
-        if (!look.hit.found())
-            continue;
-        seen.normal = look.hit.normal;
-        seen.point =
-            rays.origin + look.x * rays.origin_dx + look.y * rays.origin_dy +
-            look.hit.distance * (rays.direction + look.x * rays.direction_dx + look.y * rays.direction_dy);
-        seen.pixel_width = glm::length(rays.origin_dx + look.hit.distance * rays.direction_dx);
-    }
-}
-
-// Whether the surface in the middle of a pixel of the apron ends towards one of its neighbours.
-bool TileDrawer::is_edge(int column, int row) const
-{
-    const Seen* const middle = seen_.data() + row * apron_width_ + column;
-    const int first = column > 0 ? -1 : 0, last = column < apron_width_ - 1 ? 1 : 0;
-    for (int r = row > 0 ? -1 : 0; r <= (row < apron_height_ - 1 ? 1 : 0); ++r)
-        for (int c = first; c <= last; ++c)
-            if (!same_surface(*middle, middle[r * apron_width_ + c], picture_.prepared.edges.bend_cosine))
-                return true;
-    return false;
-}
-
-// The looks to be drawn: the one through the middle, or where a surface ends several ones.
-void TileDrawer::choose_looks(const TileArea& area)
-{
-    looks_.clear();
-    edges_.clear();
-    const std::vector<glm::vec2>& places = picture_.prepared.edges.places;
-    const bool several = places.size() > 1;
-    for (int y = 0; y < area.height; ++y)
-        for (int x = 0; x < area.width; ++x) {
-            const int column = area.x + x - apron_x_, row = area.y + y - apron_y_;
-            Look look = centres_[centre_[static_cast<std::size_t>(row * apron_width_ + column)]];
-            look.pixel = static_cast<std::uint32_t>(y * area.width + x);
-            if (!several || !is_edge(column, row)) {
-                looks_.push_back(look);
-                continue;
-            }
-            look.weight = 1.0f / static_cast<float>(places.size());
-            look.extent = picture_.prepared.edges.extent;
-            look.near = 0.0f;
-            for (const glm::vec2& place : places) {
-                look.x = static_cast<float>(area.x + x) + place.x;
-                look.y = static_cast<float>(area.y + y) + place.y;
-                edges_.push_back(look);
-            }
-            // Counts for nothing, but may stand for those around it.
-            look.x = static_cast<float>(area.x + x) + 0.5f;
-            look.y = static_cast<float>(area.y + y) + 0.5f;
-            look.weight = 0.0f;
-            edges_.push_back(look);
-        }
-    sight_.look(edges_);
-    looks_.insert(looks_.end(), edges_.begin(), edges_.end());
-}
-
-void TileDrawer::place_fragment(const Look& look, std::size_t at)
-{
-    fragments_[place_x][at] = look.x;
-    fragments_[place_y][at] = look.y;
-    fragments_[hit_distance][at] = look.hit.distance;
-    fragments_[hit_u][at] = look.hit.u;
-    fragments_[hit_v][at] = look.hit.v;
-    fragments_[extent][at] = look.extent;
-    fragments_.triangle[at] = look.hit.triangle;
-    fragments_.pixel[at] = look.pixel;
-    fragments_.weight[at] = look.weight;
-}
-
-// Turns looks into fragments, one per surface and pixel, in groups of one instance each.
-void TileDrawer::build_fragments()
-{
-    surfaces_.clear();
-    means_.clear();
-    surface_of_.assign(looks_.size(), no_surface);
-    std::size_t first_of_pixel = 0;
-    for (std::size_t i = 0; i < looks_.size(); ++i) {
-        const Look& look = looks_[i];
-        if (!look.hit.found()) {
-            background_[look.pixel] += look.weight;
-            continue;
-        }
-        if (surfaces_.empty() || surfaces_.back().pixel != look.pixel)
-            first_of_pixel = surfaces_.size();
-        std::size_t at = first_of_pixel;
-        while (at < surfaces_.size() &&
-               !shares_shading(look.hit, surfaces_[at].hit, picture_.prepared.edges.shared_cosine))
-            ++at;
-        if (at == surfaces_.size() && look.weight <= 0.0f)
-            continue;
-        surface_of_[i] = static_cast<std::uint32_t>(at);
-        if (at == surfaces_.size()) {
-            surfaces_.push_back(look);
-            means_.emplace_back(look.weight * look.x, look.weight * look.y);
-        } else {
-            surfaces_[at].weight += look.weight;
-            means_[at] += look.weight * glm::vec2(look.x, look.y);
-        }
-    }
-    choose_places();
-    place_fragments();
-}
-
-// A surface is lit where the look nearest to the middle of all its looks meets it.
-void TileDrawer::choose_places()
-{
-    const auto distance = [&](const Look& look, std::size_t at) {
-        return glm::length(glm::vec2(look.x, look.y) - means_[at] / surfaces_[at].weight);
-    };
-    for (std::size_t i = 0; i < looks_.size(); ++i) {
-        const std::size_t at = surface_of_[i];
-        if (at == no_surface || distance(looks_[i], at) >= distance(surfaces_[at], at))
-            continue;
-        const float weight = surfaces_[at].weight;
-        surfaces_[at] = looks_[i];
-        surfaces_[at].weight = weight;
-    }
-}
-
-// Gives every instance seen its group, and every surface its place there.
-void TileDrawer::place_fragments()
-{
-    auto& groups = fragments_.groups;
-    groups.clear();
-    std::size_t last = 0;
-    group_of_.clear();
-    for (const Look& look : surfaces_) {
-        // Neighbours mostly show the same instance: the search starts where the last one ended.
-        if (groups.empty() || groups[last].instance != look.hit.instance) {
-            const auto found = std::find_if(groups.begin(), groups.end(), [&](const Fragments::Group& group) {
-                return group.instance == look.hit.instance;
-            });
-            last = static_cast<std::size_t>(found - groups.begin());
-            if (found == groups.end())
-                groups.push_back({look.hit.instance, 0, 0});
-        }
-        group_of_.push_back(static_cast<std::uint32_t>(last));
-        ++groups[last].end;
-    }
-    std::size_t total = 0;
-    for (Fragments::Group& group : groups) {
-        const std::size_t filled = (group.end + Fragments::group_alignment - 1) / Fragments::group_alignment;
-        group.begin = group.end = total;
-        total += filled * Fragments::group_alignment;
-    }
-    fragments_.resize(total);
-    for (std::size_t i = 0; i < surfaces_.size(); ++i)
-        place_fragment(surfaces_[i], groups[group_of_[i]].end++);
-    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-        Look filler = surfaces_[i];
-        filler.weight = 0.0f;
-        for (std::size_t& end = groups[group_of_[i]].end; end % Fragments::group_alignment != 0; ++end)
-            place_fragment(filler, end);
-    }
 }
 
 void TileDrawer::find_group(const Fragments::Group& group)
@@ -300,32 +97,6 @@ void TileDrawer::shade()
         find_group(group);
         light_group(group);
     }
-}
-
-// The looks that go on behind what is transparent; what is seen there has the weight that is left.
-void TileDrawer::look_behind()
-{
-    looks_.clear();
-    for (const Fragments::Group& group : fragments_.groups) {
-        const scene::Material& material = *picture_.scene.surface(group.instance).material;
-        if (material.alpha_mode == scene::AlphaMode::opaque)
-            continue;
-        for (std::size_t at = group.begin; at < group.end; ++at) {
-            const float left =
-                fragments_.weight[at] * (1.0f - shown(material, fragments_[column_opacity][at]));
-            if (left < least_weight)
-                continue;
-            Look look;
-            look.x = fragments_[place_x][at];
-            look.y = fragments_[place_y][at];
-            look.near = behind(fragments_[hit_distance][at]);
-            look.pixel = fragments_.pixel[at];
-            look.extent = fragments_[extent][at];
-            look.weight = left;
-            looks_.push_back(look);
-        }
-    }
-    sight_.look(looks_);
 }
 
 void TileDrawer::resolve(Frame& frame, const TileArea& area)

@@ -31,6 +31,9 @@ struct Seen {
     glm::vec3 point{0.0f}, normal{0.0f};
 };
 
+/// The share of a surface that is seen, 0 to 1.
+float shown(const scene::Material& material, float opacity);
+
 /// Draws tiles one after the other; one per thread.
 class TileDrawer {
 public:
