@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/error.h"
+#include "image/image.h"
 
 #include <string>
 
@@ -35,6 +36,9 @@ protected:
     Projection projection_ = Projection::unknown;
     Warnings warnings_;
 };
+
+/// All rows of a reader that has given none yet.
+RadianceImage read_all_rows(RadianceReader& reader);
 
 /// What is in an image file, without decoding its pixels.
 struct ImageInfo {

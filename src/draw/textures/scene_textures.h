@@ -17,8 +17,8 @@ using MaterialTextures = std::array<const PackedTexture*, scene::texture_count>;
 
 class SceneTextures {
 public:
-    /// `transfer`: of colours; everything else is linear.
-    SceneTextures(const scene::Scene& scene, TexelTransfer transfer);
+    /// `color`: the transfer of colours; everything else is linear.
+    SceneTextures(const scene::Scene& scene, TexelTransfer color);
 
     /// The textures of a material of the scene, by its number.
     MaterialTextures of(std::size_t material) const { return materials_[material]; }

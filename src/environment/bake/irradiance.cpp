@@ -1,6 +1,7 @@
 #include "environment/bake/irradiance.h"
 
 #include "environment/chain/cube_faces.h"
+#include "environment/panorama/resized.h"
 #include "environment/bake/irradiance_kernel.h"
 #include "equations/in_double.h"
 #include "image/panorama_rows.h"

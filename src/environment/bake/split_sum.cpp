@@ -1,5 +1,6 @@
 #include "environment/bake/split_sum.h"
 
+#include "base/error.h"
 #include "base/text.h"
 #include "environment/bake/split_sum_kernel.h"
 

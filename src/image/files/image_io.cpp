@@ -14,16 +14,11 @@
 #include <cctype>
 #include <vector>
 
-#include <sys/mman.h>
-
 namespace lambent::image {
 namespace {
 
 // The largest image, stored without any compression, and room for metadata.
 constexpr std::uint64_t max_codes_file = (std::uint64_t{1} << 31) + (std::uint64_t{1} << 26);
-
-// Read at a time by read_radiance.
-constexpr int band_pixels = 1 << 19;
 
 std::vector<std::uint8_t> read_all(ByteSource& source)
 {
@@ -32,20 +27,6 @@ std::vector<std::uint8_t> read_all(ByteSource& source)
     std::vector<std::uint8_t> bytes(static_cast<std::size_t>(source.size()));
     source.read(0, bytes.data(), bytes.size());
     return bytes;
-}
-
-// Most of the time of a fast load goes into the system's clearing of fresh pages, one by one. Only advice:
-// nothing is lost when it is not taken.
-void ask_for_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes)
-{
-#ifdef MADV_HUGEPAGE
-    constexpr std::uintptr_t page = std::uintptr_t{1} << 21;
-    const std::uintptr_t begin = (reinterpret_cast<std::uintptr_t>(memory) + page - 1) / page * page;
-    const std::uintptr_t end = (reinterpret_cast<std::uintptr_t>(memory) + bytes) / page * page;
-    if (begin < end)
-        // NOLINTNEXTLINE(performance-no-int-to-ptr): rounding a pointer to whole pages
-        ::madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
-#endif
 }
 
 template <class Image>
@@ -96,22 +77,6 @@ std::unique_ptr<RadianceReader> open_radiance(const std::filesystem::path& path)
 std::unique_ptr<RadianceReader> open_panorama(const std::filesystem::path& path)
 {
     return as_equirectangular(open_radiance(path), path.string());
-}
-
-RadianceImage read_all_rows(RadianceReader& reader)
-{
-    RadianceImage image{reader.width(), reader.height(), 3, {}};
-    const std::size_t row = static_cast<std::size_t>(image.width) * 3;
-    image.values.reserve(row * static_cast<std::size_t>(image.height));
-    ask_for_huge_pages(image.values.data(), image.values.capacity() * sizeof(float));
-    // Memory is taken as the rows prove to be there, and while they are still in the cache.
-    const int most = std::max(1, band_pixels / image.width);
-    for (int y = 0; y < image.height; y += most) {
-        const int count = std::min(most, image.height - y);
-        image.values.resize(image.values.size() + row * static_cast<std::size_t>(count));
-        reader.read_rows(count, image.pixel(0, y));
-    }
-    return image;
 }
 
 RadianceImage read_radiance(const std::filesystem::path& path)

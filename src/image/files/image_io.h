@@ -20,9 +20,6 @@ std::unique_ptr<RadianceReader> open_radiance(const std::filesystem::path& path)
 /// a quarter to its right (image/openexr/openexr_map.h). Throws Error(bad_input).
 std::unique_ptr<RadianceReader> open_panorama(const std::filesystem::path& path);
 
-/// All rows of a reader that has given none yet.
-RadianceImage read_all_rows(RadianceReader& reader);
-
 /// The whole of a .hdr or .exr as RGB. Throws Error(bad_input).
 RadianceImage read_radiance(const std::filesystem::path& path);
 RadianceImage read_radiance(const std::filesystem::path& path, Warnings& warnings);
