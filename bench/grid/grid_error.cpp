@@ -31,7 +31,7 @@ environment::Panorama load(const std::string& name)
 std::vector<TruePixel> truths_of(const std::string& name, const std::string& cache, const scene::Scene& scene,
                                  const environment::Panorama& panorama, const bench::TruthPlan& plan)
 {
-    const std::string path = cache + "/" + std::filesystem::path(name).stem().string() + ".truth";
+    const std::string path = cache + "/" + std::filesystem::path(name).filename().string() + ".truth";
     const auto count = scene.instances.size() * static_cast<std::size_t>(plan.pixels_per_sphere);
     std::vector<TruePixel> pixels(count);
     const auto bytes = static_cast<std::streamsize>(count * sizeof(TruePixel));
