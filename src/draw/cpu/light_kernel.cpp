@@ -45,10 +45,10 @@ HWY_FLATTEN void light_directly(const LightContext& context, std::span<const Lig
     const Environment e = environment_of(context, nullptr);
     for (size_t at = begin; at < end; at += lane_count) {
         const Fragment f = fragment(fragments, at);
-        const Receiver receiver = receiver_at(f);
+        const Receiver receiver = receiver_at(e, f);
         vec3 sum(0.0);
         for (const LightSource& light : lights)
-            sum += direct_light(e, f, receiver, arrival_at(light, receiver.point));
+            sum += direct_light(e, receiver, arrival_at(light, receiver.point));
         store3(f, column_direct, sum);
     }
 }

@@ -71,14 +71,14 @@ void find_lights(int first)
 void add_direct(Environment e, uint at, bool lit)
 {
     Fragment f = Fragment(min(at, fragment_count() - 1u));
-    Receiver r = receiver_at(f);
+    Receiver r = receiver_at(e, f);
     find_box(r.point);
     vec3 sum = vec3(0.0);
     for (int first = 0; first < picture.fragments.z; first += lights_at_once) {
         find_lights(first);
         for (int i = 0; i < lights_at_once / 32; ++i)
             for (uint marked = reaching[i]; marked != 0u; marked &= marked - 1u)
-                sum += direct_light(e, f, r, arrival_at(lights[first + 32 * i + findLSB(marked)], r.point));
+                sum += direct_light(e, r, arrival_at(lights[first + 32 * i + findLSB(marked)], r.point));
         barrier();
     }
     if (lit)

@@ -23,20 +23,39 @@ Layer layer_at(Fragment f, Real there, Metallic facets, int number)
     return layer;
 }
 
-// A fragment as direct light meets it.
+// A fragment as direct light meets it: what all lights share is worked out once.
 struct Receiver {
     ShinyPoint shiny;
     vec3 point;
     Material material;
     Phong phong;
     vec2 albedo;
+#define LAYER(name, number, texture) Layer name;
+#include "shading/lobes/layers.h"
 };
 
-Receiver receiver_at(Fragment f)
+// The lobe, or nothing of it where no lane has it.
+Layer layer_or_none(Fragment f, Real there, Metallic facets, int number)
+{
+    Layer layer = {there, load_shine(f, 0), facets, vec2(0.0), vec3(1.0)};
+    if (has_layers() != 0 && any_of(there > 0.0))
+        layer = layer_at(f, there, facets, number);
+    return layer;
+}
+
+Receiver receiver_at(Environment e, Fragment f)
 {
     ShinyPoint s = load_shine(f, 0);
     Material m = load_material(f);
-    Receiver r = {s, load3(f, column_position), m, load_phong(f), albedo_of(dot(s.normal, s.view), m.alpha)};
+    Receiver r = {
+        s,
+        load3(f, column_position),
+        m,
+        load_phong(f),
+        albedo_of(dot(s.normal, s.view), m.alpha),
+#define LAYER(name, number, texture) layer_or_none(f, m.name, facets_##name(m, compensation_of(e)), number),
+#include "shading/lobes/layers.h"
+    };
     return r;
 }
 
@@ -47,17 +66,16 @@ vec3 direct_through(Layer layer, vec3 light, Arrival a)
 }
 
 // What a fragment sends to the viewer of light that arrives: in the report's own order of things by one look, as it has it.
-vec3 direct_light(Environment e, Fragment f, Receiver r, Arrival a)
+vec3 direct_light(Environment e, Receiver r, Arrival a)
 {
     if (levels_of(e) == levels_pipeline)
         return direct_phong(r.phong, r.shiny.normal, r.shiny.view, a);
     if (model_of(e) == model_phong)
         return direct_phong_in_pixel(r.phong, r.shiny, a);
     vec3 light = direct_metallic_in_pixel(metallic_of(e, r.material), r.albedo, r.shiny, a);
-#define LAYER(name, number, texture)                                                                        \
-    if (has_layers() != 0 && any_of(r.material.name > 0.0))                                                                      \
-        light = direct_through(layer_at(f, r.material.name, facets_##name(r.material, compensation_of(e)), number), \
-                               light, a);
+#define LAYER(name, number, texture)                       \
+    if (has_layers() != 0 && any_of(r.name.there > 0.0)) \
+        light = direct_through(r.name, light, a);
 #include "shading/lobes/layers.h"
     return light;
 }
@@ -66,8 +84,8 @@ vec3 direct_light(Environment e, Fragment f, Receiver r, Arrival a)
 vec3 through_layers(Environment e, Fragment f, Material m, vec3 light)
 {
     vec3 left = light;
-#define LAYER(name, number, texture) \
-    if (has_layers() != 0 && any_of(m.name > 0.0))         \
+#define LAYER(name, number, texture)               \
+    if (has_layers() != 0 && any_of(m.name > 0.0)) \
         left = layer_at(f, m.name, facets_##name(m, compensation_of(e)), number).left * left;
 #include "shading/lobes/layers.h"
     return left;
