@@ -1,6 +1,8 @@
 // Materials at a point: how much light they send from one direction into another, and where to look for it.
 #pragma once
 
+#include "reference/bases.h"
+#include "reference/facets.h"
 #include "reference/point_material.h"
 #include "view/picture.h"
 
@@ -52,35 +54,18 @@ public:
     bool is_wide() const;
 
 private:
-    /// GGX facets about a normal: the base's, or those of a lobe over it.
-    struct Facets {
-        glm::dvec3 normal{0.0}, base{0.0};
-        double metalness = 0.0, alpha = 1.0;
-        double NV = 1.0;
-        glm::dvec2 albedo{0.0};
+    /// A lobe over the base.
+    struct Layer {
+        Facets facets;
         double there = 1.0;   ///< how much of it there is
         glm::dvec3 left{0.0}; ///< what it leaves to those below
         double chance = 0.0;  ///< of being drawn from before those below
     };
-    Facets facets_of(const PointLayer& layer) const;
-    void set_base(view::Model model);
-    void set_layers();
-    glm::dvec3 value_of(const Facets& facets, const glm::dvec3& light) const;
-    double density_of(const Facets& facets, const glm::dvec3& light) const;
-    glm::dvec3 draw_facets(const Facets& facets, const glm::dvec2& u) const;
-    glm::dvec3 base_value(const glm::dvec3& light) const;
-    double base_density(const glm::dvec3& light) const;
-    glm::dvec3 draw_base(const glm::dvec2& u) const;
-    double phong_density(const glm::dvec3& light) const;
-    glm::dvec3 draw_phong(const glm::dvec2& u) const;
+    void add(const PointLayer& layer, double compensation, double& below);
 
     const Surface& surface_;
-    bool is_phong_;
-    double compensation_;
-    Facets base_;
-    std::vector<Facets> layers_; ///< from the lowest up
-    double glossy_share_ = 1.0;
-    double glossy_ = 0.0, diffuse_ = 0.0; ///< luminance of what the base reflects so
+    AnyBase base_;
+    std::vector<Layer> layers_; ///< from the lowest up
 };
 
 } // namespace lambent::reference

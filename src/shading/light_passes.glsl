@@ -2,4 +2,8 @@
 #include "shading/lobes/albedo.glsl"
 #include "shading/lobes/layers.glsl"
 #include "shading/passes/gbuffer.glsl"
+#include "shading/passes/mirrors.glsl"
+#include "shading/lobes/bases.h"
+#include "shading/passes/layers.glsl"
 #include "shading/passes/light.glsl"
+#include "shading/passes/background.glsl"

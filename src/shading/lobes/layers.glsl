@@ -1,5 +1,16 @@
 // What lobes over the base have in common. Hook: that of albedo.glsl.
 
+// Whether lobes may lie over a model's base.
+int takes_layers(int model)
+{
+    int takes = 0;
+#define BASE(name, number, layered) \
+    if (model == number)            \
+        takes = layered;
+#include "shading/lobes/bases.h"
+    return takes;
+}
+
 // The share of light that a lobe leaves to what lies below it, for a viewer who sees it with that albedo: all but what it sends on
 // itself, of which `there` is there. [albedo scaling: OpenPBR 1.0] Witness: the white furnace.
 vec3 left_below(Real there, Metallic facets, vec2 albedo)

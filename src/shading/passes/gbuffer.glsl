@@ -42,9 +42,3 @@ void store_material(Fragment f, Material m)
 #define STRENGTH(name, factor, number, value, object, key, texture, channel) store(f, column_##name, m.name);
 #include "shading/material/parameters.h"
 }
-
-Phong load_phong(Fragment f)
-{
-    Phong p = {load3(f, column_diffuse), load3(f, column_specular), load(f, column_exponent)};
-    return p;
-}

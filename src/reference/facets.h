@@ -1,0 +1,29 @@
+// GGX facets in double: those of a base, or of a lobe over it.
+#pragma once
+
+#include <glm/ext/vector_double2.hpp>
+#include <glm/ext/vector_double3.hpp>
+
+namespace lambent::reference {
+
+/// Facets about a normal as a viewer sees them, over a diffuse base (equations/energy.glsl).
+struct Facets {
+    glm::dvec3 normal{0.0};    ///< unit
+    glm::dvec3 view{0.0};      ///< unit, towards the viewer
+    glm::dvec3 base{0.0};      ///< linear RGB
+    double metalness = 0.0;    ///< 0 to 1
+    double alpha = 1.0;        ///< roughness
+    double compensation = 1.0; ///< of light scattered more than once, 0 or 1
+    glm::dvec2 albedo{0.0};    ///< the two parts of the directional albedo for this view
+
+    /// BRDF times the cosine, RGB per steradian; 0 below the surface.
+    glm::dvec3 value(const glm::dvec3& light) const;
+
+    /// Density of draw() at a direction, per steradian.
+    double density(const glm::dvec3& light) const;
+
+    /// A direction mirrored by a visible facet; may be below the surface. u: each number in [0, 1).
+    glm::dvec3 draw(const glm::dvec2& u) const;
+};
+
+} // namespace lambent::reference

@@ -1,0 +1,36 @@
+// Metal and dielectric by GGX facets, over a diffuse base. Hooks: see README.md.
+
+struct Base_ggx {
+    Metallic metallic;
+    vec2 albedo; // of the facets (equations/energy.glsl)
+};
+
+Metallic metallic_of(Environment e, Material m)
+{
+    Metallic r = {m.base_color, m.metallic, m.alpha, compensation_of(e)};
+    return r;
+}
+
+Base_ggx base_ggx(Environment e, Fragment f, ShinyPoint s)
+{
+    Material m = load_material(f);
+    Base_ggx b = {metallic_of(e, m), albedo_of(dot(s.normal, s.view), m.alpha)};
+    return b;
+}
+
+vec3 direct_base(Environment e, Base_ggx b, ShinyPoint s, Arrival a)
+{
+    return direct_metallic_in_pixel(b.metallic, b.albedo, s, a);
+}
+
+vec3 ambient_base(Environment e, Base_ggx b, vec3 irradiance, Real brightness)
+{
+    return ambient_light(reflectance_metallic(b.metallic, b.albedo).diffuse, irradiance, brightness);
+}
+
+vec3 reflected_base(Environment e, Base_ggx b, ShinyPoint s) { return reflected_metallic(e, b.metallic, s); }
+
+Real level_of_base(Environment e, Base_ggx b, ShinyPoint s)
+{
+    return part_of_levels(middle_level_ggx(e, mirror_at(e, s, b.metallic.alpha)), highest_level(e));
+}
