@@ -16,7 +16,7 @@ constexpr double least_cosine = 1.0e-4, least_alpha = 1.0e-4;
 vec2 albedo(double NV, double alpha)
 {
     const double sine = std::sqrt(1.0 - NV * NV);
-    const vec3 stretched = stretched_view({sine, 0.0, NV}, alpha);
+    const vec3 stretched = stretched_view({sine, 0.0, NV}, vec2(alpha));
     double all = 0.0, grazing = 0.0;
     for (int j = 0; j < heights; ++j) {
         // Closer together towards the lobe's tail, where evenly spaced points miss 0.1 % of the lobe of a smooth metal.
@@ -26,7 +26,7 @@ vec2 albedo(double NV, double alpha)
             // Half the circle: the other half is its mirror image.
             const double phi = std::numbers::pi * (i + 0.5) / azimuths;
             const vec3 point(height, std::cos(phi), std::sin(phi));
-            const VisibleFacet facet = sample_visible_ggx(stretched, alpha, point);
+            const VisibleFacet facet = sample_visible_ggx(stretched, vec2(alpha), point);
             const double VH = sine * facet.normal.x + NV * facet.normal.z;
             const double NL = 2.0 * VH * facet.normal.z - NV;
             if (NL <= 0.0)

@@ -11,12 +11,14 @@ vec3 energy_compensation(vec3 F0, vec2 albedo, Real compensation)
     return 1.0 + (compensation * (1.0 - E) / max(E, 1.0e-4)) * F0;
 }
 
-// A metallic-roughness material at one point. base is linear RGB; metalness and alpha in [0, 1]. compensation is 1, or
-// 0 to leave out what is scattered more than once.
+// A metallic-roughness material at one point. base is linear RGB; metalness and alpha in [0, 1], alpha along the tangent and
+// along the bitangent. tangent: a unit vector in the surface, not read where both are the same. compensation is 1, or 0 to leave
+// out what is scattered more than once.
 struct Metallic {
     vec3 base;
     Real metalness;
-    Real alpha;
+    vec2 alpha;
+    vec3 tangent;
     Real compensation;
 };
 
@@ -43,7 +45,18 @@ Reflectance reflectance_metallic(Metallic m, vec2 albedo)
     return r;
 }
 
-// The BRDF of the same mixture at one pair of directions, per steradian, NL and NV > 0.
+// The BRDF of the same mixture, per steradian, where the facets' lobe, density_ggx times visibility_ggx, is known.
+// Witness: brdf_metallic's.
+vec3 brdf_of_lobe(Metallic m, vec2 albedo, Real lobe, Real VH)
+{
+    Reflectance r = reflectance_metallic(m, albedo);
+    vec3 metal = m.metalness * (energy_compensation(m.base, albedo, m.compensation) * fresnel_schlick(m.base, VH));
+    vec3 F0 = vec3(dielectric_reflectance());
+    vec3 dielectric = (1.0 - m.metalness) * (energy_compensation(F0, albedo, m.compensation) * fresnel_schlick(F0, VH));
+    return lobe * (metal + dielectric) + 0.3183098861837907 * r.diffuse;
+}
+
+// The same at one pair of directions, NL and NV > 0, for two equal alphas.
 // Witnesses: quadrature gives reflectance_metallic's albedo; the white furnace.
 vec3 brdf_metallic(Metallic m, vec2 albedo, vec3 N, vec3 V, vec3 L)
 {
@@ -53,10 +66,15 @@ vec3 brdf_metallic(Metallic m, vec2 albedo, vec3 N, vec3 V, vec3 L)
     Real NV = dot(N, V);
     Real NH = clamp(dot(N, sum) * inverse, 0.0, 1.0);
     Real VH = clamp(dot(V, sum) * inverse, 0.0, 1.0);
-    Real lobe = density_ggx(NH, m.alpha) * visibility_ggx(NL, NV, m.alpha);
-    Reflectance r = reflectance_metallic(m, albedo);
-    vec3 metal = m.metalness * (energy_compensation(m.base, albedo, m.compensation) * fresnel_schlick(m.base, VH));
-    vec3 F0 = vec3(dielectric_reflectance());
-    vec3 dielectric = (1.0 - m.metalness) * (energy_compensation(F0, albedo, m.compensation) * fresnel_schlick(F0, VH));
-    return lobe * (metal + dielectric) + 0.3183098861837907 * r.diffuse;
+    Real alpha = m.alpha.x;
+    return brdf_of_lobe(m, albedo, density_ggx(NH, alpha) * visibility_ggx(NL, NV, alpha), VH);
+}
+
+// The same for any two alphas: the columns of `frame` are tangent, bitangent and normal. Witness: reciprocity, and slopes.
+vec3 brdf_metallic(Metallic m, vec2 albedo, mat3 frame, vec3 V, vec3 L)
+{
+    vec3 sum = L + V;
+    vec3 H = inversesqrt(max(dot(sum, sum), 1.0e-12)) * sum;
+    Real lobe = density_ggx(in_frame(frame, H), m.alpha) * visibility_ggx(in_frame(frame, L), in_frame(frame, V), m.alpha);
+    return brdf_of_lobe(m, albedo, lobe, clamp(dot(V, H), 0.0, 1.0));
 }

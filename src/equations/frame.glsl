@@ -26,6 +26,14 @@ mat3 carried_frame(vec3 N, vec3 V, vec3 across)
     return mat3(tangent, cross(N, tangent), N);
 }
 
+// A frame about N whose first column is as near to `along` as can be: any direction but N. Witness: orthonormality.
+mat3 frame_along(vec3 N, vec3 along)
+{
+    vec3 aside = along - dot(along, N) * N;
+    vec3 tangent = inversesqrt(max(dot(aside, aside), 1.0e-30)) * aside;
+    return mat3(tangent, cross(N, tangent), N);
+}
+
 // The components of v along the three columns of a rotation. Witness: the rotation of them is v.
 vec3 in_frame(mat3 frame, vec3 v)
 {

@@ -11,16 +11,22 @@ Base<view::Model::ggx>::Base(const Surface& surface, double compensation)
 {
     const PointMaterial& m = surface.material;
     const in_double::vec2 albedo = in_double::albedo_of(glm::dot(surface.normal, surface.view), m.alpha);
-    facets_ = {surface.normal, surface.view, m.base_color,        m.metallic,
-               m.alpha,        compensation, {albedo.x, albedo.y}};
-    const in_double::Reflectance r =
-        in_double::reflectance_metallic({to_text(m.base_color), m.metallic, m.alpha, compensation}, albedo);
+    facets_.normal = surface.normal;
+    facets_.view = surface.view;
+    facets_.base = m.base_color;
+    facets_.metalness = m.metallic;
+    facets_.alpha = glm::dvec2(m.alpha);
+    facets_.compensation = compensation;
+    facets_.albedo = {albedo.x, albedo.y};
+    const in_double::Reflectance r = in_double::reflectance_metallic(
+        {to_text(m.base_color), m.metallic, in_double::vec2(m.alpha), in_double::vec3(0.0), compensation},
+        albedo);
     parts_.glossy = image::luminance(r.plain.x, r.plain.y, r.plain.z) +
                     image::luminance(r.grazing.x, r.grazing.y, r.grazing.z);
     parts_.diffuse = image::luminance(r.diffuse.x, r.diffuse.y, r.diffuse.z);
     // Rough metals, whose visible normals often mirror below the surface, get some directions by the cosine as well.
-    parts_.glossy_share = parts_.diffuse > 0.0 ? chance_of(parts_.glossy, parts_.diffuse)
-                                               : 1.0 - 0.5 * facets_.alpha * facets_.alpha;
+    parts_.glossy_share =
+        parts_.diffuse > 0.0 ? chance_of(parts_.glossy, parts_.diffuse) : 1.0 - 0.5 * m.alpha * m.alpha;
 }
 
 double Base<view::Model::ggx>::density(const glm::dvec3& light) const

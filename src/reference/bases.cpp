@@ -19,7 +19,7 @@ AnyBase base_of(const Surface& surface, view::Model model, double compensation)
 #define BASE(name, number, layered)                                                                          \
     case view::Model::name:                                                                                  \
         return Base<view::Model::name>(surface, compensation);
-#include "shading/lobes/bases.h"
+#include "shading/passes/bases.h"
     }
     return Base<view::Model::ggx>(surface, compensation);
 }

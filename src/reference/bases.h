@@ -1,4 +1,4 @@
-// The lobes of shading/lobes/bases.h in double: how the base of a material reflects, by each shading model.
+// The lobes of shading/passes/bases.h in double: how the base of a material reflects, by each shading model.
 #pragma once
 
 #include "reference/facets.h"
@@ -38,7 +38,7 @@ public:
     double density(const glm::dvec3& light) const;
     glm::dvec3 draw(const glm::dvec2& u) const;
     const BaseParts& parts() const { return parts_; }
-    double alpha() const { return facets_.alpha; }
+    double alpha() const { return facets_.alpha.x; }
 
 private:
     Facets facets_;
@@ -71,7 +71,7 @@ using OneOf = std::variant<Ts...>;
 /// The base by one of the models of the list.
 using AnyBase = OneOf<void
 #define BASE(name, number, layered) , Base<view::Model::name>
-#include "shading/lobes/bases.h"
+#include "shading/passes/bases.h"
                       >;
 
 /// The base of a surface, which has to outlive it. compensation: of light scattered more than once, 0 or 1.

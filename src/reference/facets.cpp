@@ -8,15 +8,32 @@
 #include <algorithm>
 
 namespace lambent::reference {
+namespace {
+
+in_double::vec2 to_text(const glm::dvec2& v)
+{
+    return {v.x, v.y};
+}
+
+// Columns: tangent, bitangent and normal.
+in_double::mat3 frame_of(const Facets& f)
+{
+    return f.is_stretched() ? in_double::frame_along(to_text(f.normal), to_text(f.tangent))
+                            : in_double::orthonormal_frame(to_text(f.normal));
+}
+
+} // namespace
 
 glm::dvec3 Facets::value(const glm::dvec3& light) const
 {
     const double NL = glm::dot(normal, light);
     if (!(NL > 0.0))
         return glm::dvec3(0.0);
-    return NL * from_text(in_double::brdf_metallic({to_text(base), metalness, alpha, compensation},
-                                                   {albedo.x, albedo.y}, to_text(normal), to_text(view),
-                                                   to_text(light)));
+    const in_double::Metallic m{to_text(base), metalness, to_text(alpha), to_text(tangent), compensation};
+    const in_double::vec2 parts = to_text(albedo);
+    const in_double::vec3 V = to_text(view), L = to_text(light);
+    return NL * from_text(is_stretched() ? in_double::brdf_metallic(m, parts, frame_of(*this), V, L)
+                                         : in_double::brdf_metallic(m, parts, to_text(normal), V, L));
 }
 
 double Facets::density(const glm::dvec3& light) const
@@ -29,15 +46,21 @@ double Facets::density(const glm::dvec3& light) const
     if (!(NH > 0.0)) // facets that face into the surface are not there
         return 0.0;
     const double NV = glm::dot(normal, view);
-    return in_double::density_ggx(NH, alpha) * in_double::masking_ggx(NV, alpha) / (4.0 * NV);
+    if (!is_stretched())
+        return in_double::density_ggx(NH, alpha.x) * in_double::masking_ggx(NV, alpha.x) / (4.0 * NV);
+    const in_double::mat3 frame = frame_of(*this);
+    const double D =
+        in_double::density_ggx(in_double::in_frame(frame, to_text(sum / length)), to_text(alpha));
+    const double SV = in_double::smith_ggx(in_double::in_frame(frame, to_text(view)), to_text(alpha));
+    return D * 0.5 / (NV + SV); // G1 = 2 NV / (NV + SV)
 }
 
 glm::dvec3 Facets::draw(const glm::dvec2& u) const
 {
-    const in_double::mat3 frame = in_double::orthonormal_frame(to_text(normal));
-    const in_double::vec3 seen = in_double::in_frame(frame, to_text(view));
-    const in_double::vec3 H =
-        in_double::sample_visible_ggx(in_double::stretched_view(seen, alpha), alpha, cap_point(u)).normal;
+    const in_double::mat3 frame = frame_of(*this);
+    const in_double::vec2 a = to_text(alpha);
+    const in_double::vec3 seen = in_double::stretched_view(in_double::in_frame(frame, to_text(view)), a);
+    const in_double::vec3 H = in_double::sample_visible_ggx(seen, a, cap_point(u)).normal;
     return glm::normalize(from_text(in_double::mirrored(frame * H, to_text(view))));
 }
 

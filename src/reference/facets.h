@@ -12,7 +12,8 @@ struct Facets {
     glm::dvec3 view{0.0};      ///< unit, towards the viewer
     glm::dvec3 base{0.0};      ///< linear RGB
     double metalness = 0.0;    ///< 0 to 1
-    double alpha = 1.0;        ///< roughness
+    glm::dvec2 alpha{1.0};     ///< roughness along the tangent and along the bitangent
+    glm::dvec3 tangent{0.0};   ///< any direction but the normal; not read where both are the same
     double compensation = 1.0; ///< of light scattered more than once, 0 or 1
     glm::dvec2 albedo{0.0};    ///< the two parts of the directional albedo for this view
 
@@ -24,6 +25,8 @@ struct Facets {
 
     /// A direction mirrored by a visible facet; may be below the surface. u: each number in [0, 1).
     glm::dvec3 draw(const glm::dvec2& u) const;
+
+    bool is_stretched() const { return alpha.x != alpha.y; }
 };
 
 } // namespace lambent::reference

@@ -13,8 +13,7 @@
 namespace lambent::in_double {
 namespace {
 
-#include "shading/surface/pixel.glsl"
-#include "shading/lobes/direct.glsl"
+#include "shading/lobes/arrival.glsl"
 
 } // namespace
 } // namespace lambent::in_double

@@ -22,7 +22,7 @@ ListedLobe listed_lobe(const PointMaterial& material, [[maybe_unused]] int which
     if (which == number)                                                                                     \
         return {in_double::facets_##name(m, compensation), m.name};
 #include "shading/lobes/layers.h"
-    return {{in_double::vec3(0.0), 0.0, 1.0, 0.0}, 0.0};
+    return {{in_double::vec3(0.0), 0.0, in_double::vec2(1.0), in_double::vec3(0.0), 0.0}, 0.0};
 }
 
 bool takes_layers(view::Model model)
@@ -31,7 +31,7 @@ bool takes_layers(view::Model model)
 #define BASE(name, number, layered)                                                                          \
     case view::Model::name:                                                                                  \
         return layered != 0;
-#include "shading/lobes/bases.h"
+#include "shading/passes/bases.h"
     }
     return false;
 }
@@ -66,11 +66,18 @@ Reflection::Reflection(const Surface& surface, view::Model model, bool energy_co
 void Reflection::add(const PointLayer& layer, double compensation, double& below)
 {
     const ListedLobe lobe = listed_lobe(surface_.material, layer.number, compensation);
+    const in_double::Metallic& facets = lobe.facets;
     const in_double::vec2 albedo =
-        in_double::albedo_of(glm::dot(layer.normal, surface_.view), lobe.facets.alpha);
+        in_double::albedo_of(glm::dot(layer.normal, surface_.view), facets.alpha.x);
     Layer added;
-    added.facets = {layer.normal,      surface_.view, from_text(lobe.facets.base), lobe.facets.metalness,
-                    lobe.facets.alpha, compensation,  {albedo.x, albedo.y}};
+    added.facets.normal = layer.normal;
+    added.facets.view = surface_.view;
+    added.facets.base = from_text(facets.base);
+    added.facets.metalness = facets.metalness;
+    added.facets.alpha = {facets.alpha.x, facets.alpha.y};
+    added.facets.tangent = from_text(facets.tangent);
+    added.facets.compensation = compensation;
+    added.facets.albedo = {albedo.x, albedo.y};
     added.there = lobe.there;
     added.left = from_text(in_double::left_below(lobe.there, lobe.facets, albedo));
     const double left = image::luminance(added.left.x, added.left.y, added.left.z);

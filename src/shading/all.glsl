@@ -1,5 +1,7 @@
 #include "shading/points.glsl"
 #include "shading/lobes/diffuse.glsl"
+#include "shading/lobes/facets.glsl"
+#include "shading/lobes/arrival.glsl"
 #include "shading/lobes/direct.glsl"
 #include "shading/lobes/ggx_light.glsl"
 #include "shading/lobes/phong_light.glsl"

@@ -1,6 +1,6 @@
 // How a picture is lit, as numbers that C++ and shaders agree on.
 #define BASE(name, number, layered) const int model_##name = number;
-#include "shading/lobes/bases.h"
+#include "shading/passes/bases.h"
 const int levels_matched = 0;
 const int levels_report = 1;
 const int levels_pipeline = 2; // the report's, in its own order of things

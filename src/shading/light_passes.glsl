@@ -3,7 +3,7 @@
 #include "shading/lobes/layers.glsl"
 #include "shading/passes/gbuffer.glsl"
 #include "shading/passes/mirrors.glsl"
-#include "shading/lobes/bases.h"
+#include "shading/passes/bases.h"
 #include "shading/passes/layers.glsl"
 #include "shading/passes/light.glsl"
 #include "shading/passes/background.glsl"

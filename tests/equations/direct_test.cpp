@@ -10,6 +10,14 @@ namespace {
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #include "shading/surface/pixel.glsl"
+int stretch = 0;
+int has_stretch()
+{
+    return stretch;
+}
+
+#include "shading/lobes/facets.glsl"
+#include "shading/lobes/arrival.glsl"
 #include "shading/lobes/direct.glsl"
 #pragma GCC diagnostic pop
 
@@ -73,7 +81,7 @@ TEST(Direct, ASpotShinesAlongItsAxis)
 TEST(Direct, NothingArrivesFromBehind)
 {
     const in_double::Phong phong = {vec3(1.0), vec3(1.0), 1.0};
-    const in_double::Metallic metal = {vec3(1.0), 0.5, 0.5, 1.0};
+    const in_double::Metallic metal = {vec3(1.0), 0.5, vec2(0.5), vec3(0.0), 1.0};
     const vec3 N(0.0, 0.0, 1.0), V = from_angles(0.5, 1.0);
     for (double theta : {0.5 * pi + 1e-9, 2.0, pi}) {
         const Arrival a = {from_angles(theta, 2.0), vec3(5.0)};
@@ -120,7 +128,7 @@ TEST(Direct, APixelSeesTheMeanOfANarrowHighlight)
                 const ShinyPoint s = point_of(width * alpha, 0.7 * width * alpha);
                 const Arrival a = {in_double::normalize(at_place(s, off, -off)), vec3(1.0)};
                 const in_double::Phong p = {vec3(0.3), vec3(0.9), exponent};
-                const in_double::Metallic m = {vec3(0.9), 1.0, alpha, 0.0};
+                const in_double::Metallic m = {vec3(0.9), 1.0, vec2(alpha), vec3(0.0), 0.0};
                 const vec2 albedo(0.8, 0.1);
                 const Arrival ahead = {at_place(s, 0.0, 0.0), vec3(1.0)};
                 const double all =
@@ -175,7 +183,7 @@ TEST(Direct, ManyLooksAreForNarrowHighlightsInReach)
     const auto hides = [](double turn, double alpha, double off) {
         const ShinyPoint s = point_of(turn, 0.0);
         const vec3 L = in_double::normalize(in_double::mirrored(s.normal, s.view) + vec3(off, 0.0, 0.0));
-        return in_double::hides_highlight(s, alpha, L);
+        return in_double::hides_highlight(s, vec2(alpha), L);
     };
     EXPECT_TRUE(hides(0.0101, 0.01, 0.0));
     EXPECT_FALSE(hides(0.0099, 0.01, 0.0));

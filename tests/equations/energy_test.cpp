@@ -79,7 +79,7 @@ TEST(Energy, WhiteFurnaceIsOneForEveryMixture)
         const vec2 albedo = split_sum(s);
         EXPECT_LT(albedo.x + albedo.y, 1.0);
         for (double metalness : {0.0, 0.5, 1.0}) {
-            const Metallic white = {vec3(1.0), metalness, s.alpha, 1.0};
+            const Metallic white = {vec3(1.0), metalness, vec2(s.alpha), vec3(0.0), 1.0};
             const auto f = [&](vec3 L) {
                 return brdf_metallic(white, albedo, vec3(0, 0, 1), view(s.NV), L).x;
             };
@@ -94,7 +94,7 @@ TEST(Energy, ReflectanceIsTheIntegralOfTheBrdf)
     for (const Setting& s : {Setting{0.2, 0.15}, Setting{0.7, 0.5}, Setting{0.4, 1.0}}) {
         const vec2 albedo = split_sum(s);
         for (double metalness : {0.0, 0.3, 1.0}) {
-            const Metallic m = {vec3(0.9, 0.3, 0.0), metalness, s.alpha, 1.0};
+            const Metallic m = {vec3(0.9, 0.3, 0.0), metalness, vec2(s.alpha), vec3(0.0), 1.0};
             const Reflectance r = reflectance_metallic(m, albedo);
             const vec3 total = r.plain + r.grazing + r.diffuse;
             EXPECT_LT(distance(total, reflected(m, albedo, s.NV)), 3e-5)
@@ -109,7 +109,8 @@ TEST(Energy, SingleScatteringIsTheUncompensatedLobe)
     const vec2 albedo = split_sum(s);
     const double metal = albedo_by_quadrature(s, 0.9, 1.0), dielectric = albedo_by_quadrature(s, 0.04, 1.0);
     for (double metalness : {0.0, 0.4, 1.0}) {
-        const Reflectance r = reflectance_metallic({vec3(0.9), metalness, s.alpha, 0.0}, albedo);
+        const Reflectance r =
+            reflectance_metallic({vec3(0.9), metalness, vec2(s.alpha), vec3(0.0), 0.0}, albedo);
         const double lobe = metalness * metal + (1.0 - metalness) * dielectric;
         EXPECT_NEAR(r.plain.x + r.grazing.x, lobe, 1e-5) << metalness;
         EXPECT_NEAR(r.diffuse.x, (1.0 - metalness) * 0.9 * (1.0 - dielectric), 1e-5) << metalness;
@@ -121,12 +122,13 @@ TEST(Energy, SingleScatteringIsTheUncompensatedLobe)
 TEST(Energy, PartsOfTheReflectance)
 {
     const vec2 albedo(0.6, 0.1);
-    const Reflectance black = reflectance_metallic({vec3(0.0), 0.0, 0.5, 1.0}, albedo);
+    const Reflectance black = reflectance_metallic({vec3(0.0), 0.0, vec2(0.5), vec3(0.0), 1.0}, albedo);
     EXPECT_EQ(black.diffuse.x, 0.0);
     const double gain = 1.0 + 0.04 * (1.0 - 0.7) / 0.7;
     EXPECT_NEAR(black.plain.x, 0.04 * 0.6 * gain, 1e-15);
     EXPECT_NEAR(black.grazing.x, 0.1 * gain, 1e-15);
-    const Reflectance metal = reflectance_metallic({vec3(0.9, 0.5, 0.2), 1.0, 0.5, 1.0}, albedo);
+    const Reflectance metal =
+        reflectance_metallic({vec3(0.9, 0.5, 0.2), 1.0, vec2(0.5), vec3(0.0), 1.0}, albedo);
     EXPECT_EQ(distance(metal.diffuse, vec3(0.0)), 0.0);
     EXPECT_NEAR(metal.plain.y, 0.5 * 0.6 * (1.0 + 0.5 * 0.3 / 0.7), 1e-15);
     EXPECT_NEAR(metal.grazing.z, 0.1 * (1.0 + 0.2 * 0.3 / 0.7), 1e-15);
@@ -155,7 +157,7 @@ TEST(Energy, LobeIsReciprocal)
     for (int i = 0; i < 200; i++) {
         const vec3 a = from_angles(uniform.between(0.0, 1.5), uniform.between(0.0, 6.0));
         const vec3 b = from_angles(uniform.between(0.0, 1.5), uniform.between(0.0, 6.0));
-        const Metallic m = {vec3(0.9, 0.5, 0.1), 1.0, uniform.between(0.05, 1.0), 1.0};
+        const Metallic m = {vec3(0.9, 0.5, 0.1), 1.0, vec2(uniform.between(0.05, 1.0)), vec3(0.0), 1.0};
         const vec3 there = brdf_metallic(m, vec2(0.7, 0.1), vec3(0, 0, 1), a, b);
         const vec3 back = brdf_metallic(m, vec2(0.7, 0.1), vec3(0, 0, 1), b, a);
         EXPECT_LE(distance(there, back), 1e-12 * distance(there, vec3(0.0)));

@@ -31,7 +31,7 @@ vec3 draw_normal(const Sampling& s, Uniform& uniform)
 {
     const double xi1 = uniform(), xi2 = uniform();
     const vec3 point(xi2, std::cos(2.0 * pi * xi1), std::sin(2.0 * pi * xi1));
-    return sample_visible_ggx(stretched_view(view(s.NV), s.alpha), s.alpha, point).normal;
+    return sample_visible_ggx(stretched_view(view(s.NV), vec2(s.alpha)), vec2(s.alpha), point).normal;
 }
 
 size_t cell_of(double row, double azimuth)

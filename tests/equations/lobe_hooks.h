@@ -55,9 +55,17 @@ vec3 second_light(const Environment&, LightSum)
     return vec3(0.0);
 }
 
+// Whether facets may be stretched.
+int stretch = 0;
+int has_stretch()
+{
+    return stretch;
+}
+
 // Each test takes some of it.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 #include "shading/surface/pixel.glsl"
+#include "shading/lobes/facets.glsl"
 #include "shading/lobes/ggx_light.glsl"
 #pragma GCC diagnostic pop

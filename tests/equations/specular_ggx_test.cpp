@@ -20,16 +20,17 @@ vec3 view_at(double NV)
 // What is not drawn is mirrored to below the horizon; of the roughest surface seen head on that is half.
 TEST(SpecularGgx, FacetsLeftOutMirrorNothing)
 {
-    EXPECT_NEAR(reflecting_share_ggx(view_at(1.0), 1.0), 0.5, 1e-12);
-    EXPECT_NEAR(reflecting_share_ggx(view_at(0.5), 1e-6), 1.0, 1e-9);
+    EXPECT_NEAR(reflecting_share_ggx(view_at(1.0), vec2(1.0)), 0.5, 1e-12);
+    EXPECT_NEAR(reflecting_share_ggx(view_at(0.5), vec2(1e-6)), 1.0, 1e-9);
     for (double alpha : {0.05, 0.3, 0.7, 1.0})
         for (double NV : {0.05, 0.4, 0.8, 1.0}) {
-            const vec3 V = view_at(NV), stretched = stretched_view(V, alpha);
-            const double share = reflecting_share_ggx(V, alpha);
+            const vec3 V = view_at(NV), stretched = stretched_view(V, vec2(alpha));
+            const double share = reflecting_share_ggx(V, vec2(alpha));
             for (int i = 0; i < 2000; ++i) {
                 const double turn = 2.4 * i, xi2 = share + (1.0 - share) * (i + 0.5) / 2000;
                 const vec3 h =
-                    sample_visible_ggx(stretched, alpha, vec3(xi2, std::cos(turn), std::sin(turn))).normal;
+                    sample_visible_ggx(stretched, vec2(alpha), vec3(xi2, std::cos(turn), std::sin(turn)))
+                        .normal;
                 ASSERT_LT(2.0 * dot(V, h) * h.z - V.z, 1e-9) << alpha << " " << NV << " " << xi2;
             }
         }
@@ -48,8 +49,11 @@ TEST(SpecularGgx, LampsAreSeenThroughTheLobe)
             for (double theta : {0.0, 0.4, 1.0, 1.5})
                 for (double phi : {0.0, 1.0, 3.1}) {
                     const vec3 V = view_at(NV), L = at_angles(theta, phi), H = normalize(L + V);
-                    const Mirror mirror = {
-                        {{0.0, 0.0, 1.0}, V, vec3(0.0), vec3(0.0)}, {0.0, 1.0, 0.0}, alpha, {0.7, 0.2}};
+                    const Mirror mirror = {{{0.0, 0.0, 1.0}, V, vec3(0.0), vec3(0.0)},
+                                           {0.0, 1.0, 0.0},
+                                           vec2(alpha),
+                                           vec3(0.0),
+                                           {0.7, 0.2}};
                     const LobeLight light = specular_ggx({L, {1.0e-12, 2.0e-12}}, mirror);
                     const double lobe =
                         test::facet_density(H.z, alpha) /
@@ -63,11 +67,43 @@ TEST(SpecularGgx, LampsAreSeenThroughTheLobe)
                 }
 }
 
+// The same of facets that are stretched: D and Lambda by slopes along either axis.
+TEST(SpecularGgx, LampsAreSeenThroughAStretchedLobe)
+{
+    stretch = 1;
+    for (const vec2 alpha : {vec2(0.5, 0.1), vec2(0.1, 0.4)})
+        for (double NV : {0.3, 1.0})
+            for (double theta : {0.2, 1.0})
+                for (double phi : {0.5, 3.1}) {
+                    const vec3 V = view_at(NV), L = at_angles(theta, phi), H = normalize(L + V);
+                    const vec3 N(0.0, 0.0, 1.0), T(0.6, 0.8, 0.0), B(-0.8, 0.6, 0.0);
+                    const Mirror mirror = {
+                        {N, V, vec3(0.0), vec3(0.0)}, {0.0, 1.0, 0.0}, alpha, T, {0.7, 0.2}};
+                    const LobeLight light = specular_ggx({L, {1.0e-12, 2.0e-12}}, mirror);
+                    const double p = dot(T, H) / (H.z * alpha.x), q = dot(B, H) / (H.z * alpha.y);
+                    const double D = 1.0 / (std::numbers::pi * alpha.x * alpha.y *
+                                            std::pow(1.0 + p * p + q * q, 2.0) * std::pow(H.z, 4.0));
+                    const auto lambda = [&](vec3 w) {
+                        const double azimuth = std::atan2(dot(B, w), dot(T, w));
+                        return test::smith_lambda(
+                            w.z, std::hypot(alpha.x * std::cos(azimuth), alpha.y * std::sin(azimuth)));
+                    };
+                    const double lobe = D / (1.0 + lambda(V) + lambda(L)) / (4.0 * NV);
+                    const double grazing = std::pow(1.0 - dot(V, H), 5.0),
+                                 plain = lobe * (1.0 - grazing) / 0.7;
+                    EXPECT_NEAR(light.plain.x, plain, 1e-6 * plain + 1e-12) << theta << ' ' << phi;
+                }
+    stretch = 0;
+}
+
 // A lamp that all blurs hold is not added again.
 TEST(SpecularGgx, LampsInTheBlursAreLeftToThem)
 {
-    const Mirror mirror = {
-        {{0.0, 0.0, 1.0}, view_at(0.7), vec3(0.0), vec3(0.0)}, {0.0, 1.0, 0.0}, 0.3, {0.7, 0.2}};
+    const Mirror mirror = {{{0.0, 0.0, 1.0}, view_at(0.7), vec3(0.0), vec3(0.0)},
+                           {0.0, 1.0, 0.0},
+                           vec2(0.3),
+                           vec3(0.0),
+                           {0.7, 0.2}};
     const LobeLight light = specular_ggx({{0.0, 0.6, 0.8}, {1.0e3, 4.0e3}}, mirror);
     EXPECT_EQ(light.plain.x, 0.0);
     EXPECT_EQ(light.grazing.x, 0.0);
@@ -101,7 +137,8 @@ TEST(SpecularGgx, APixelSeesAMirrorAsWideAsItIs)
 double seen_of_a_white_sky(double alpha, double width, double albedo)
 {
     const vec3 V = view_at(0.9), R(-V.x, 0.0, V.z), aside(0.0, 1.0, 0.0), up = cross(R, aside);
-    const Mirror mirror = {{{0.0, 0.0, 1.0}, V, width * aside, width * up}, aside, alpha, {albedo, 0.0}};
+    const Mirror mirror = {
+        {{0.0, 0.0, 1.0}, V, width * aside, width * up}, aside, vec2(alpha), vec3(0.0), {albedo, 0.0}};
     constexpr int rings = 400, steps = 48;
     double seen = 0.0;
     for (int i = 0; i < rings; ++i) { // about R, finer towards it

@@ -26,7 +26,7 @@ struct Moments {
 // first moment and exp(-3 v) from its second. Blurs are those of `blurs` samples.
 Moments sampled_moments(double NV, double alpha, int samples, int blurs)
 {
-    const LobeSampling lobe = lobe_sampling(view_at(NV), alpha, 1.0 / blurs);
+    const LobeSampling lobe = lobe_sampling(view_at(NV), vec2(alpha), 1.0 / blurs);
     Moments m{};
     double weights = 0.0;
     for (int i = 0; i < samples; ++i) {
@@ -85,6 +85,57 @@ TEST(SpecularGgx, ManySamplesHaveTheLobesMoments)
                 << "alpha " << alpha << ", NV " << NV;
 }
 
+// Second moments along either axis of a lobe that is stretched, seen along the normal: of the samples, and by slopes.
+struct Spreads {
+    double xx, yy;
+};
+
+Spreads sampled_spreads(vec2 alpha, int samples)
+{
+    const LobeSampling lobe = lobe_sampling(view_at(1.0), alpha, 1.0 / samples);
+    Spreads sum{};
+    double weights = 0.0;
+    for (int i = 0; i < samples; ++i) {
+        const double turn = 2.0 * std::numbers::pi * i / std::numbers::phi;
+        const LobeSample s =
+            lobe_sample(lobe, vec3((i + 0.4) / (samples + 1.0), std::cos(turn), std::sin(turn)));
+        const vec3 d = normalize(s.direction);
+        sum.xx += s.weight * d.x * d.x, sum.yy += s.weight * d.y * d.y;
+        weights += s.weight;
+    }
+    return {sum.xx / weights, sum.yy / weights};
+}
+
+Spreads true_spreads(vec2 alpha)
+{
+    constexpr int rows = 1200, columns = 720;
+    Spreads sum{};
+    double weights = 0.0;
+    for (int i = 0; i < rows; ++i)
+        for (int j = 0; j < columns; ++j) {
+            const double z = (i + 0.5) / rows, r = std::sqrt(1.0 - z * z),
+                         phi = 2.0 * std::numbers::pi * (j + 0.5) / columns;
+            const vec3 L(r * std::cos(phi), r * std::sin(phi), z), h = normalize(L + vec3(0.0, 0.0, 1.0));
+            const double q = std::pow(h.x / alpha.x, 2.0) + std::pow(h.y / alpha.y, 2.0) + h.z * h.z;
+            const double a = std::hypot(alpha.x * std::cos(phi), alpha.y * std::sin(phi)), t = r / z;
+            const double weight = 1.0 / (q * q) / (1.0 + 0.5 * (std::sqrt(1.0 + a * a * t * t) - 1.0));
+            sum.xx += weight * L.x * L.x, sum.yy += weight * L.y * L.y;
+            weights += weight;
+        }
+    return {sum.xx / weights, sum.yy / weights};
+}
+
+TEST(SpecularGgx, ManySamplesHaveAStretchedLobesSpreads)
+{
+    stretch = 1;
+    for (const vec2 alpha : {vec2(0.6, 0.1), vec2(0.2, 0.5), vec2(0.3, 0.3)}) {
+        const Spreads samples = sampled_spreads(alpha, 20000), lobe = true_spreads(alpha);
+        EXPECT_NEAR(samples.xx, lobe.xx, 0.003) << alpha.x << ' ' << alpha.y;
+        EXPECT_NEAR(samples.yy, lobe.yy, 0.003) << alpha.x << ' ' << alpha.y;
+    }
+    stretch = 0;
+}
+
 // Nor do the blurs of forty spread it by much. Samples left where they were drawn are off by up to 0.041.
 TEST(SpecularGgx, BlursOfFortySamplesHardlyWidenTheLobe)
 {
@@ -119,7 +170,7 @@ TEST(SpecularGgx, PlacesAndBlursHaveThePixelsVarianceTogether)
             for (double width : {0.001, 0.02, 0.1, 0.3})
                 for (int samples : {8, 40}) {
                     const vec3 V = view_at(NV), R(-V.x, 0.0, V.z), up = cross(R, aside);
-                    const LobeSampling lobe = lobe_sampling(V, alpha, 1.0 / samples);
+                    const LobeSampling lobe = lobe_sampling(V, vec2(alpha), 1.0 / samples);
                     const ShinyPoint point = {{0.0, 0.0, 1.0}, V, width * aside, width * up};
                     const PixelBlur blur = pixel_blur(point, lobe.variance, 1.0 / samples);
                     const double area = width * width, share = 0.3 * area / samples; // of one of the samples

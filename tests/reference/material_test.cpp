@@ -64,7 +64,8 @@ struct Integrals {
     double value = 0.0;                                                  ///< of green
 };
 
-Integrals integrals(const Reflection& reflection, const Around& around)
+template <class Lobe>
+Integrals integrals(const Lobe& reflection, const Around& around)
 {
     Integrals sum;
     const double dt = Around::furthest() / (bins * fine_angle), dturn = 2.0 * pi / (bins * fine_turn);
@@ -85,7 +86,8 @@ struct Drawn {
     double mean = 0.0, deviation = 0.0; ///< of green over density
 };
 
-Drawn drawn(const Reflection& reflection, const Around& around)
+template <class Lobe>
+Drawn drawn(const Lobe& reflection, const Around& around)
 {
     Drawn result;
     std::mt19937_64 random(1);
@@ -106,20 +108,25 @@ Drawn drawn(const Reflection& reflection, const Around& around)
     return result;
 }
 
-// All that is asked of a material; its albedo for this view.
-double check(const Surface& surface, view::Model model)
+// All that is asked of a lobe seen so; its albedo for this view.
+template <class Lobe>
+double check_lobe(const Lobe& lobe, const Surface& seen_as)
 {
-    const Reflection reflection(surface, model, true);
-    const Around around(surface);
-    const Integrals expected = integrals(reflection, around);
+    const Around around(seen_as);
+    const Integrals expected = integrals(lobe, around);
     EXPECT_NEAR(expected.all, 1.0, 2e-3);
-    const Drawn seen = drawn(reflection, around);
+    const Drawn seen = drawn(lobe, around);
     std::vector<double> probabilities = expected.density;
     for (double& p : probabilities)
         p /= expected.all;
     EXPECT_TRUE(test::follows(seen.counted, probabilities));
     EXPECT_NEAR(seen.mean, expected.value, 5.0 * seen.deviation + 1e-3 * expected.value);
     return expected.value;
+}
+
+double check(const Surface& surface, view::Model model)
+{
+    return check_lobe(Reflection(surface, model, true), surface);
 }
 
 TEST(ReferenceMaterial, GgxDrawsByItsDensity)
@@ -239,7 +246,7 @@ struct ListedLobe {
 constexpr ListedLobe listed_bases[] = {
 #define BASE(name, number, layered)                                                                          \
     {#name, view::Model::name, 0, nullptr, &PointMaterial::alpha, witness_##name},
-#include "shading/lobes/bases.h"
+#include "shading/passes/bases.h"
 };
 
 constexpr ListedLobe listed_layers[] = {
@@ -375,6 +382,65 @@ TEST(ReferenceLobes, LoseNoLight)
                 s.material.metallic = lobe.layer != 0 ? 1.0 : 0.5;
                 EXPECT_NEAR(check(s, lobe.model), 1.0, 6e-3) << lobe.name << ", alpha " << alpha;
             }
+}
+
+// A white metal whose facets are stretched, its tangent at 30 degrees to the plane of view.
+Facets stretched_facets(const glm::dvec2& alpha, double NV)
+{
+    const Surface s = surface_seen_at(NV);
+    Facets f;
+    f.normal = s.normal, f.view = s.view;
+    f.base = glm::dvec3(1.0), f.metalness = 1.0;
+    f.alpha = alpha, f.tangent = {std::cos(pi / 6.0), std::sin(pi / 6.0), 0.0};
+    f.compensation = 0.0;
+    f.albedo = {0.7, 0.1};
+    return f;
+}
+
+TEST(ReferenceFacets, StretchedTheyAreDrawnByTheirDensity)
+{
+    for (const glm::dvec2 alpha : {glm::dvec2(0.6, 0.1), glm::dvec2(0.15, 0.5), glm::dvec2(1.0, 0.3)})
+        for (const double NV : {0.2, 0.6, 0.999}) {
+            SCOPED_TRACE(::testing::Message() << "alpha " << alpha.x << ' ' << alpha.y << ", NV " << NV);
+            EXPECT_LT(check_lobe(stretched_facets(alpha, NV), surface_seen_at(NV)), 1.0);
+        }
+}
+
+// By slopes p along the tangent and q along the bitangent: D = 1 / (pi ax ay (1 + p^2 / ax^2 + q^2 / ay^2)^2) over the fourth
+// power of the cosine, and Smith's Lambda is that of the alpha along a direction's azimuth. [Heitz 2014, eq. 80 and 84]
+TEST(ReferenceFacets, StretchedTheyAreTheirSlopes)
+{
+    for (const glm::dvec2 alpha : {glm::dvec2(0.6, 0.1), glm::dvec2(0.15, 0.5)})
+        for (const glm::dvec3& light : directions_above(50)) {
+            const Facets f = stretched_facets(alpha, 0.7);
+            const glm::dvec3 T = f.tangent, B = glm::cross(f.normal, T), H = glm::normalize(f.view + light);
+            const double p = glm::dot(T, H) / H.z, q = glm::dot(B, H) / H.z;
+            const double slopes = 1.0 + p * p / (alpha.x * alpha.x) + q * q / (alpha.y * alpha.y);
+            const double D = 1.0 / (pi * alpha.x * alpha.y * slopes * slopes * std::pow(H.z, 4.0));
+            const auto lambda = [&](const glm::dvec3& w) {
+                const double azimuth = std::atan2(glm::dot(B, w), glm::dot(T, w));
+                return test::smith_lambda(
+                    w.z, std::hypot(alpha.x * std::cos(azimuth), alpha.y * std::sin(azimuth)));
+            };
+            const double expected = D / (1.0 + lambda(light) + lambda(f.view)) / (4.0 * f.view.z);
+            EXPECT_NEAR(f.value(light).x, expected, 1e-9 * expected);
+            Facets back = f;
+            back.view = light;
+            EXPECT_NEAR(back.value(f.view).x / f.view.z, f.value(light).x / light.z,
+                        1e-9 * expected / light.z);
+        }
+}
+
+// Facets that are hardly stretched are those that are not.
+TEST(ReferenceFacets, TwoEqualNumbersAreOne)
+{
+    const Facets one = stretched_facets({0.3, 0.3}, 0.6), two = stretched_facets({0.3, 0.3 + 1e-9}, 0.6);
+    EXPECT_FALSE(one.is_stretched());
+    EXPECT_TRUE(two.is_stretched());
+    for (const glm::dvec3& light : directions_above(20)) {
+        EXPECT_NEAR(one.value(light).x, two.value(light).x, 1e-6 * one.value(light).x);
+        EXPECT_NEAR(one.density(light), two.density(light), 1e-6 * one.density(light));
+    }
 }
 
 } // namespace

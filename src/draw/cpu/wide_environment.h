@@ -19,6 +19,12 @@ struct Environment {
     float level_variances[2]; // theirs
 };
 
+// No parameter of a material stretches its facets.
+HWY_INLINE int has_stretch()
+{
+    return 0;
+}
+
 HWY_INLINE int model_of(const Environment& e)
 {
     return e.context->model == Model::phong ? model_phong : model_ggx;

@@ -5,6 +5,8 @@ struct Environment {
     int lamps;
 };
 
+int has_stretch() { return 0; } // no parameter of a material stretches its facets
+
 struct LightSum {
     vec3 first;
     vec3 second;

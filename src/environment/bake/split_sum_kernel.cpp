@@ -17,13 +17,13 @@ namespace {
 vec2 albedo(Real NV, float alpha, const SplitSumPoints& points)
 {
     const vec3 view(sqrt(max((1.0 - NV) * (1.0 + NV), 0.0)), 0.0, NV);
-    const vec3 stretched = stretched_view(view, alpha);
-    const Real share = reflecting_share_ggx(view, alpha);
+    const vec3 stretched = stretched_view(view, vec2(alpha));
+    const Real share = reflecting_share_ggx(view, vec2(alpha));
     Real all = 0.0, grazing = 0.0;
     for (const SplitSumPoints::Height& h : points.heights)
         for (const SplitSumPoints::Azimuth& a : points.azimuths) {
             const VisibleFacet facet =
-                sample_visible_ggx(stretched, alpha, vec3(share * Real(h.height), a.cosine, a.sine));
+                sample_visible_ggx(stretched, vec2(alpha), vec3(share * Real(h.height), a.cosine, a.sine));
             const Real VH = dot(view, facet.normal);
             const Real NL = 2.0 * VH * facet.normal.z - NV;
             const Real lit = max(NL, 1.0e-7);

@@ -2,6 +2,6 @@
 // Witness: its value and its albedo by another form of GGX (tests/reference).
 Metallic facets_coat(Material m, Real compensation)
 {
-    Metallic f = {vec3(0.0), 0.0, m.coat_alpha, compensation};
+    Metallic f = {vec3(0.0), 0.0, vec2(m.coat_alpha), vec3(0.0), compensation};
     return f;
 }

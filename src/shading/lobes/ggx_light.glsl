@@ -1,13 +1,22 @@
 // Light from the environment reflected by GGX facets, N samples. Hooks: see README.md.
 
-// A point that mirrors, what is across for the viewer (any direction but the view, the same for a whole picture), alpha,
-// and the directional albedo (energy.glsl).
+// A point that mirrors, what is across for the viewer (any direction but the view, the same for a whole picture), alpha along
+// the tangent and the bitangent, the tangent (not read where both are the same), and the directional albedo (energy.glsl).
 struct Mirror {
     ShinyPoint at;
     vec3 across;
-    Real alpha;
+    vec2 alpha;
+    vec3 tangent;
     vec2 albedo;
 };
+
+// The frame in which a mirror's lobe is sampled: by its tangent where it is stretched. Witness: specular_ggx's.
+mat3 mirror_frame(Mirror m)
+{
+    if (has_stretch() != 0 && any_of(is_stretched(m.alpha)))
+        return frame_along(m.at.normal, m.tangent);
+    return carried_frame(m.at.normal, m.at.view, m.across);
+}
 
 // Radiance averaged over the lobe with Schlick's weight (grazing) and with what that leaves (plain): what
 // reflectance_metallic asks for.
@@ -20,29 +29,29 @@ struct LobeLight {
 // the surface's own; the share of them that is drawn.
 struct LobeSampling {
     vec3 view;
-    Real alpha;
-    Real SV; // smith_ggx(NV, alpha)
-    Real wide_alpha;
+    vec2 alpha;
+    Real SV; // smith_ggx of the view
+    vec2 wide_alpha;
     vec3 stretched;
     Real reach;
     Real variance;   // of the blur at a facet of spread 1, square radians
-    Real sharpening; // half of it over wide_alpha^4, times wide_alpha^2 - alpha^2
+    Real sharpening; // half of it over wide_alpha^4, times wide_alpha^2 - alpha^2, both as the product of the two numbers
 };
 
 // The lobe of alpha as N samples see it, per_sample = 1 / N. Facets are drawn from one up to 1.25 times as wide: what
 // is seen of a lamp that is brighter than white is the tail of the lobe, where else there would be too few. (At 1.42 errors
 // under suns cut off at white are 5 to 8 % less, and under one that is not up to half as much again.)
 // Witness: lobe_sample's.
-LobeSampling lobe_sampling(vec3 view, Real alpha, Real per_sample)
+LobeSampling lobe_sampling(vec3 view, vec2 alpha, Real per_sample)
 {
-    Real wide = alpha * (1.25 - 0.25 * alpha);
-    Real a2 = alpha * alpha;
-    Real w2 = wide * wide;
+    vec2 wide = vec2(alpha.x * (1.25 - 0.25 * alpha.x), alpha.y * (1.25 - 0.25 * alpha.y));
+    Real a2 = alpha.x * alpha.y;
+    Real w2 = wide.x * wide.y;
     Real reach = reflecting_share_ggx(view, wide);
-    Real variance = variance_of_spread(reach * spread_ggx(view.z, wide)) * per_sample;
+    Real variance = variance_of_spread(reach * spread_ggx(view.z, smith_of(view, wide), wide)) * per_sample;
     LobeSampling s = {view,
                       alpha,
-                      smith_ggx(view.z, alpha),
+                      smith_of(view, alpha),
                       wide,
                       stretched_view(view, wide),
                       reach,
@@ -71,20 +80,20 @@ LobeSample lobe_sample(LobeSampling s, vec3 point)
     VisibleFacet facet = sample_visible_ggx(s.stretched, s.wide_alpha, vec3(s.reach * point.x, point.y, point.z));
     vec3 n = facet.normal;
     Real variance = s.variance * facet.spread;
-    Real a2 = s.alpha * s.alpha;
+    Real a2 = s.alpha.x * s.alpha.y;
     Real sine2 = n.x * n.x + n.y * n.y;
     Real cosine2 = n.z * n.z;
     Real VH = dot(s.view, n);
     // Nothing is reflected from below the horizon: this little amount keeps the mean defined where all samples are
     // such.
     Real NL = max(2.0 * VH * n.z - s.view.z, 1.0e-4);
-    Real SL = smith_ggx(NL, s.alpha);
+    Real SL = smith_of(vec3(2.0 * VH * n.x - s.view.x, 2.0 * VH * n.y - s.view.y, NL), s.alpha);
     // What is divided by: the lobe's slope, shadowing, the lift. One division does for the three.
-    Real slope = max(sine2 + a2 * cosine2, 1.0e-12);
+    Real slope = max(slope_of(n, sine2, cosine2, s.alpha), 1.0e-12);
     Real both = NL * s.SV + s.view.z * SL;
     Real room = max(NL * SL * both, 3.0e-3);
     Real inverse = 1.0 / (slope * both * room);
-    Real ratio = (sine2 + s.wide_alpha * s.wide_alpha * cosine2) * (both * room * inverse);
+    Real ratio = slope_of(n, sine2, cosine2, s.wide_alpha) * (both * room * inverse);
     Real weight = ratio * ratio * NL * (slope * room * inverse);
     Real lift = 0.5 * variance * s.view.z * a2 * (slope * both * inverse);
     Real z = n.z + n.z * cosine2 * s.sharpening * ratio;
@@ -113,14 +122,16 @@ LampWeights lamp_weights(LobeSampling s, vec3 L, Real cut)
     // Not from the cosine: its rounding is as large as the square of a narrow lobe's sine.
     Real sine2 = (sum.x * sum.x + sum.y * sum.y) * inverse * inverse;
     Real cosine2 = sum.z * sum.z * inverse * inverse;
-    Real a2 = s.alpha * s.alpha;
-    Real slope = sine2 + a2 * cosine2;
+    Real a2 = s.alpha.x * s.alpha.y;
+    Real slope = slope_of(inverse * sum, sine2, cosine2, s.alpha);
     // density_ggx times visibility_ggx times NL, with one division.
     Real over = 0.15915494309189535 * a2 * NL;
-    Real under = slope * slope * (NL * s.SV + s.view.z * smith_ggx(NL, s.alpha));
+    Real under = slope * slope * (NL * s.SV + s.view.z * smith_of(vec3(L.x, L.y, NL), s.alpha));
     Real lobe = over / max(under + cut * over, 1.0e-25);
     Real grazing = lobe * schlick_weight(min(0.5 * length2 * inverse, 1.0));
-    Real spread = cosine2 + sine2 / (s.wide_alpha * s.wide_alpha);
+    Real spread = cosine2 + sine2 / (s.wide_alpha.x * s.wide_alpha.x);
+    if (has_stretch() != 0)
+        spread = slope_ggx(inverse * sum, s.wide_alpha) / (s.wide_alpha.x * s.wide_alpha.y);
     LampWeights w = {vec2(lobe - grazing, grazing), s.variance * spread * spread};
     return w;
 }
@@ -130,7 +141,7 @@ LampWeights lamp_weights(LobeSampling s, vec3 L, Real cut)
 // Witness: lamps all around are a white sky.
 LobeLight lamps_ggx(Environment environment, Mirror m, LobeSampling s, Real pixel_share, Real shared_variance)
 {
-    mat3 frame = carried_frame(m.at.normal, m.at.view, m.across);
+    mat3 frame = mirror_frame(m);
     Footprint footprint = footprint_of(m.at);
     vec2 variances = lamp_variances(environment);
     Real p2 = pixel_share * pixel_share;
@@ -164,7 +175,7 @@ Real matched_level_ggx(Real variance, PixelBlur pixel, Real per_level)
 // spread is 1. Witness: levels by the density of visible normals there (tests/draw).
 Real middle_level_ggx(Environment environment, Mirror m)
 {
-    mat3 frame = carried_frame(m.at.normal, m.at.view, m.across);
+    mat3 frame = mirror_frame(m);
     Real per_sample = 1.0 / Real(sample_count(environment));
     LobeSampling lobe = lobe_sampling(in_frame(frame, m.at.view), m.alpha, per_sample);
     return matched_level_ggx(lobe.variance, pixel_blur(m.at, lobe.variance, per_sample), 1.0 / level_one_variance(environment));
@@ -177,7 +188,7 @@ Real middle_level_ggx(Environment environment, Mirror m)
 // filtered importance sampling"] Witness: tests/draw, against brute force over every texel in double.
 LobeLight specular_ggx(Environment environment, Mirror m)
 {
-    mat3 frame = carried_frame(m.at.normal, m.at.view, m.across);
+    mat3 frame = mirror_frame(m);
     Real per_sample = 1.0 / Real(sample_count(environment));
     LobeSampling lobe = lobe_sampling(in_frame(frame, m.at.view), m.alpha, per_sample);
     PixelBlur pixel = pixel_blur(m.at, lobe.variance, per_sample);

@@ -1,13 +1,13 @@
 // What lobes over the base have in common. Hook: that of albedo.glsl.
 
-// Whether lobes may lie over a model's base.
+// Whether lobes may lie over a model's base. Witness: the list.
 int takes_layers(int model)
 {
     int takes = 0;
 #define BASE(name, number, layered) \
     if (model == number)            \
         takes = layered;
-#include "shading/lobes/bases.h"
+#include "shading/passes/bases.h"
     return takes;
 }
 
@@ -22,7 +22,7 @@ vec3 left_below(Real there, Metallic facets, vec2 albedo)
 // The same at a point with that normal. Witness: as before.
 vec3 left_below_at(Real there, Metallic facets, vec3 N, vec3 V)
 {
-    return left_below(there, facets, albedo_of(dot(N, V), facets.alpha));
+    return left_below(there, facets, albedo_of(dot(N, V), facets.alpha.x));
 }
 
 #include "shading/lobes/layers.h"

@@ -12,7 +12,7 @@ struct Layer {
 Layer layer_at(Fragment f, Real there, Metallic facets, int number)
 {
     ShinyPoint s = load_shine(f, number);
-    vec2 albedo = albedo_of(dot(s.normal, s.view), facets.alpha);
+    vec2 albedo = albedo_of(dot(s.normal, s.view), facets.alpha.x);
     Layer layer = {there, s, facets, albedo, left_below(there, facets, albedo)};
     return layer;
 }

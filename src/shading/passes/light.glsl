@@ -5,7 +5,7 @@ struct Receiver {
     ShinyPoint shiny;
     vec3 point;
 #define BASE(name, number, layered) Base_##name name;
-#include "shading/lobes/bases.h"
+#include "shading/passes/bases.h"
 #define LAYER(name, number, texture) Layer name;
 #include "shading/lobes/layers.h"
 };
@@ -18,7 +18,7 @@ Receiver receiver_at(Environment e, Fragment f)
         s,
         load3(f, column_position),
 #define BASE(name, number, layered) base_##name(e, f, s),
-#include "shading/lobes/bases.h"
+#include "shading/passes/bases.h"
 #define LAYER(name, number, texture) layer_or_none(f, m.name, facets_##name(m, compensation_of(e)), number),
 #include "shading/lobes/layers.h"
     };
@@ -38,7 +38,7 @@ vec3 direct_light(Environment e, Receiver r, Arrival a)
 #define BASE(name, number, layered)                \
     if (model_of(e) == number)                     \
         light = direct_base(e, r.name, r.shiny, a);
-#include "shading/lobes/bases.h"
+#include "shading/passes/bases.h"
     if (takes_layers(model_of(e)) != 0) {
 #define LAYER(name, number, texture)                     \
     if (has_layers() != 0 && any_of(r.name.there > 0.0)) \
@@ -58,7 +58,7 @@ void add_ambient(Environment e, Fragment f)
 #define BASE(name, number, layered)                                            \
     if (model_of(e) == number)                                                 \
         light = ambient_base(e, base_##name(e, f, s), irradiance, brightness);
-#include "shading/lobes/bases.h"
+#include "shading/passes/bases.h"
     if (takes_layers(model_of(e)) != 0)
         light = through_layers(e, f, m, light);
     store3(f, column_irradiance, irradiance);
@@ -78,7 +78,7 @@ void add_specular(Environment e, Fragment f)
 #define BASE(name, number, layered)                         \
     if (model_of(e) == number)                              \
         light = reflected_base(e, base_##name(e, f, s), s);
-#include "shading/lobes/bases.h"
+#include "shading/passes/bases.h"
     if (takes_layers(model_of(e)) != 0) {
         Material m = load_material(f);
 #define LAYER(name, number, texture)                                                                          \
@@ -97,6 +97,6 @@ Real middle_level(Environment e, Fragment f)
 #define BASE(name, number, layered)                        \
     if (model_of(e) == number)                             \
         level = level_of_base(e, base_##name(e, f, s), s);
-#include "shading/lobes/bases.h"
+#include "shading/passes/bases.h"
     return level;
 }

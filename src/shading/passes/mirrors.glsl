@@ -7,16 +7,17 @@ ShinyPoint in_environment(Environment e, ShinyPoint s)
     return t;
 }
 
-Mirror mirror_at(Environment e, ShinyPoint s, Real alpha)
+Mirror mirror_at(Environment e, ShinyPoint s, Metallic facets)
 {
     ShinyPoint t = in_environment(e, s);
-    Mirror m = {t, turned(e, across_of(e)), alpha, albedo_of(dot(t.normal, t.view), alpha)};
+    Mirror m = {t, turned(e, across_of(e)), facets.alpha, turned(e, facets.tangent),
+                albedo_of(dot(t.normal, t.view), facets.alpha.x)};
     return m;
 }
 
 vec3 reflected_metallic(Environment e, Metallic m, ShinyPoint s)
 {
-    Mirror mirror = mirror_at(e, s, m.alpha);
+    Mirror mirror = mirror_at(e, s, m);
     LobeLight light = specular_ggx(e, mirror);
     Reflectance r = reflectance_metallic(m, mirror.albedo);
     return r.plain * light.plain + r.grazing * light.grazing;

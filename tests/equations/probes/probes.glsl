@@ -192,8 +192,8 @@ Outputs ggx_density(Inputs i)
 Outputs ggx_masking(Inputs i)
 {
     Real alpha = decades(i.c, 1.0e-4, 1.0);
-    Outputs o = {smith_ggx(i.a, alpha), masking_ggx(i.a, alpha), spread_ggx(i.a, alpha),
-                 reflecting_share_ggx(vec3(sqrt((1.0 - i.a) * (1.0 + i.a)), 0.0, i.a), alpha)};
+    Outputs o = {smith_ggx(i.a, alpha), masking_ggx(i.a, alpha), spread_ggx(i.a, smith_ggx(i.a, alpha), vec2(alpha)),
+                 reflecting_share_ggx(vec3(sqrt((1.0 - i.a) * (1.0 + i.a)), 0.0, i.a), vec2(alpha))};
     return o;
 }
 
@@ -206,9 +206,27 @@ Outputs ggx_pair(Inputs i)
     return o;
 }
 
+Outputs ggx_two(Inputs i)
+{
+    vec2 alpha = vec2(0.1 + 0.9 * i.e, 0.1 + 0.9 * i.f);
+    vec3 L = upper_direction(i.a, i.b);
+    vec3 V = upper_direction(i.c, i.d);
+    Outputs o = {density_ggx(L, alpha), smith_ggx(V, alpha), visibility_ggx(L, V, alpha), slope_ggx(L, alpha)};
+    return o;
+}
+
+Outputs ggx_two_sample(Inputs i)
+{
+    vec2 alpha = vec2(0.1 + 0.9 * i.e, 0.1 + 0.9 * i.f);
+    vec2 t = turn(i.b);
+    vec3 view = upper_direction(i.c, i.d);
+    VisibleFacet facet = sample_visible_ggx(stretched_view(view, alpha), alpha, vec3(min(i.a, 0.9990234375), t.x, t.y));
+    return outputs(facet.normal, facet.spread);
+}
+
 Outputs ggx_stretched(Inputs i)
 {
-    return outputs(stretched_view(upper_direction(i.a, i.c), decades(i.b, 1.0e-4, 1.0)), 0.0);
+    return outputs(stretched_view(upper_direction(i.a, i.c), vec2(decades(i.b, 1.0e-4, 1.0), decades(i.d, 1.0e-4, 1.0))), 0.0);
 }
 
 // Spreads reach 1 / alpha^4: with the factor that all facets of the view share, and as a logarithm.
@@ -216,8 +234,9 @@ Outputs ggx_sample_of(Inputs i, Real xi2, Real alpha)
 {
     vec2 t = turn(i.b);
     Real NV = max(i.c, 1.0e-3);
-    VisibleFacet facet = sample_visible_ggx(stretched_view(vec3(sqrt((1.0 - NV) * (1.0 + NV)), 0.0, NV), alpha), alpha, vec3(xi2, t.x, t.y));
-    return outputs(facet.normal, log2(facet.spread * spread_ggx(NV, alpha)));
+    vec3 view = vec3(sqrt((1.0 - NV) * (1.0 + NV)), 0.0, NV);
+    VisibleFacet facet = sample_visible_ggx(stretched_view(view, vec2(alpha)), vec2(alpha), vec3(xi2, t.x, t.y));
+    return outputs(facet.normal, log2(facet.spread * spread_ggx(NV, smith_ggx(NV, alpha), vec2(alpha))));
 }
 
 Outputs ggx_sample(Inputs i)
@@ -249,7 +268,7 @@ Outputs energy_factor(Inputs i)
 
 Outputs energy_reflectance(Inputs i)
 {
-    Metallic m = {vec3(i.a, i.b, i.c), i.d, i.e, i.h};
+    Metallic m = {vec3(i.a, i.b, i.c), i.d, vec2(i.e), vec3(0.0), i.h};
     Reflectance r = reflectance_metallic(m, probe_albedo(i.f, i.g));
     return outputs(r.plain + 2.0 * r.grazing + 3.0 * r.diffuse, r.diffuse.x);
 }
@@ -258,9 +277,20 @@ Outputs energy_brdf_of(Inputs i, Real alpha)
 {
     vec3 N = direction(i.a, i.b);
     mat3 frame = orthonormal_frame(N);
-    Metallic m = {vec3(i.g, i.h, 0.5), i.h, alpha, i.f};
+    Metallic m = {vec3(i.g, i.h, 0.5), i.h, vec2(alpha), vec3(0.0), i.f};
     vec3 V = frame * upper_direction(i.c, i.d);
     return outputs(brdf_metallic(m, probe_albedo(i.g, i.h), N, V, frame * upper_direction(i.e, i.f)), 0.0);
+}
+
+Outputs energy_brdf_two(Inputs i)
+{
+    vec3 N = direction(i.a, i.b);
+    mat3 frame = frame_along(N, mirrored(N, vec3(0.8, 0.0, 0.6)));
+    Metallic m = {vec3(i.g, i.h, 0.5), i.h, vec2(0.2 + 0.8 * i.a, 0.2 + 0.8 * i.f), vec3(0.0), i.f};
+    vec3 L = frame * upper_direction(i.e, i.f);
+    vec3 V = frame * upper_direction(i.c, i.d);
+    return outputs(brdf_metallic(m, probe_albedo(i.g, i.h), frame, V, L),
+                   brdf_of_lobe(m, probe_albedo(i.g, i.h), i.c, i.d).y);
 }
 
 Outputs energy_brdf(Inputs i)

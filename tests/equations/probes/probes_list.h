@@ -70,7 +70,8 @@ PROBE(53, shading_surface, 1e-5, 0.0, 1e-5, 0.0)
 PROBE(54, shading_material, 1e-5, 1e-5, 1e-5, 1e-5)
 PROBE(55, shading_texture, 1e-5, 1e-5, 1e-5, 1e-5)
 PROBE(56, lobe_weights, 1e-5, 1e-5, 1e-5, 1e-5)
-PROBE(57, shading_middle_levels, 1e-5, 1e-5, 1e-4, 1e-4)
+// smith_ggx of two numbers adds up the squares of a view's components, each with the rounding of its frame.
+PROBE(57, shading_middle_levels, 4e-5, 1e-5, 1e-4, 1e-4)
 PROBE(58, shading_pipeline_report, 1e-4, 1e-3, 1e-3, 2e-3)
 // The exponent is up to 1e4 here, as in phong_brdf_sharp, and how far a light is off a lobe has few digits.
 PROBE(59, shading_direct_in_pixel, 1e-5, 2e-2, 1e-5, 2e-2)
@@ -78,3 +79,8 @@ PROBE(60, shading_parameters, 1e-5, 1e-5, 1e-5, 1e-5)
 PROBE(61, shading_albedo, 1e-4, 0.0, 1e-4, 0.0)
 PROBE(62, shading_arrivals, 1e-5, 1e-5, 1e-5, 1e-5)
 PROBE(63, shading_layers, 1e-5, 1e-5, 1e-5, 1e-5)
+PROBE(64, ggx_two, 1e-5, 1e-4, 1e-5, 1e-4)
+// Facets as in ggx_sample; spreads as their squares.
+PROBE(65, ggx_two_sample, 3e-4, 1e-3, 3e-4, 1e-3)
+PROBE(66, energy_brdf_two, 1e-5, 3e-4, 1e-5, 3e-4)
+PROBE(67, shading_facets, 1e-5, 1e-5, 1e-5, 1e-5)

@@ -66,6 +66,7 @@ vec3 second_light(Environment e, LightSum sum) { return (e.brightness / e.bright
 
 Real report_base_level(Environment e) { return e.base_level; }
 
+int has_stretch() { return 1; }
 #include "shading/all.glsl"
 
 // A table that is a formula.
@@ -94,16 +95,26 @@ Outputs shading_ggx(Inputs i)
     vec3 N = direction(i.a, i.b);
     vec3 V = view_near(N, i);
     ShinyPoint s = shiny_point(N, V, i, 0.1);
-    Mirror m = {s, mirrored(vec3(0.6, 0.0, 0.8), V), decades(i.e, 1.0e-4, 1.0), probe_albedo(i.g, i.h)};
+    Mirror m = {s, mirrored(vec3(0.6, 0.0, 0.8), V), vec2(decades(i.e, 1.0e-4, 1.0)), vec3(0.0), probe_albedo(i.g, i.h)};
     LobeLight light = specular_ggx(formula(1.0 + i.h), m);
     return outputs(light.plain, light.grazing.x);
+}
+
+Outputs shading_facets(Inputs i)
+{
+    vec3 h = upper_direction(i.a, i.b);
+    vec2 alpha = vec2(0.1 + 0.9 * i.d, 0.1 + 0.9 * i.f);
+    Metallic m = {vec3(i.e), i.f, alpha, vec3(1.0, 0.0, 0.0), 1.0};
+    Metallic wide = widened(m, 0.1 * h, 0.2 * h);
+    return outputs(vec3(smith_of(h, alpha), slope_of(h, 1.0 - h.z * h.z, h.z * h.z, alpha), wide.alpha.x + wide.alpha.y),
+                   select(is_stretched(alpha), 1.0, 0.0));
 }
 
 Outputs shading_lobe_sample(Inputs i)
 {
     vec3 view = normalize(upper_direction(i.a, i.b) + vec3(0.0, 0.0, 0.2));
     vec2 t = turn(i.c);
-    LobeSample s = lobe_sample(lobe_sampling(view, 0.1 + 0.9 * i.d, 0.025), vec3(0.9 * i.e, t.x, t.y));
+    LobeSample s = lobe_sample(lobe_sampling(view, vec2(0.1 + 0.9 * i.d, 0.1 + 0.9 * i.f), 0.025), vec3(0.9 * i.e, t.x, t.y));
     return outputs(s.direction, s.weight + s.size + s.grazing + s.variance);
 }
 
@@ -112,8 +123,9 @@ Outputs shading_lamps(Inputs i)
     vec3 N = direction(i.a, i.b);
     vec3 V = view_near(N, i);
     ShinyPoint s = {N, V, 0.2 * direction(i.g, i.h), 0.2 * direction(i.h, i.f)};
-    Mirror m = {s, mirrored(vec3(0.6, 0.0, 0.8), V), 0.1 + 0.9 * i.e, probe_albedo(i.g, i.h)};
-    LobeSampling lobe = lobe_sampling(in_frame(carried_frame(N, V, m.across), V), m.alpha, 0.025);
+    Mirror m = {s, mirrored(vec3(0.6, 0.0, 0.8), V), vec2(0.1 + 0.9 * i.e, 0.1 + 0.9 * i.c), mirrored(N, vec3(0.8, 0.0, 0.6)),
+                probe_albedo(i.g, i.h)};
+    LobeSampling lobe = lobe_sampling(in_frame(mirror_frame(m), V), m.alpha, 0.025);
     LobeLight light = lamps_ggx(formula(1.0 + i.h), m, lobe, i.f, 0.0001 * i.g);
     LampWeights w = lamp_weights(lobe, upper_direction(i.c, i.h), 0.1 * i.g);
     Phong p = {vec3(i.e), vec3(i.f, i.g, i.h), decades(i.e, 0.01, 100.0)};
@@ -155,7 +167,7 @@ Outputs shading_middle_levels(Inputs i)
     vec3 N = direction(i.a, i.b);
     vec3 V = view_near(N, i);
     ShinyPoint s = shiny_point(N, V, i, 0.1);
-    Mirror m = {s, mirrored(vec3(0.6, 0.0, 0.8), V), decades(i.e, 1.0e-4, 1.0), vec2(0.5, 0.1)};
+    Mirror m = {s, mirrored(vec3(0.6, 0.0, 0.8), V), vec2(decades(i.e, 1.0e-4, 1.0)), vec3(0.0), vec2(0.5, 0.1)};
     Environment e = formula(1.0);
     LobeSampling lobe = lobe_sampling(in_frame(carried_frame(N, V, m.across), V), m.alpha, 0.025);
     PixelBlur pixel = pixel_blur(s, lobe.variance, 0.025);
@@ -175,7 +187,7 @@ LocalLight some_lamp(Inputs i)
 Outputs shading_direct_metallic(Inputs i)
 {
     vec3 N = direction(i.a, i.b);
-    Metallic m = {vec3(i.e, i.f, i.g), i.h, 0.2 + 0.8 * i.a, 1.0};
+    Metallic m = {vec3(i.e, i.f, i.g), i.h, vec2(0.2 + 0.8 * i.a, 0.2 + 0.8 * i.d), mirrored(N, vec3(0.8, 0.0, 0.6)), 1.0};
     Arrival a = arrival_from(some_lamp(i), vec3(i.b, i.c, i.d));
     return outputs(direct_metallic(m, probe_albedo(i.g, i.h), N, view_near(N, i), a), dot(a.direction, N));
 }
@@ -200,12 +212,12 @@ Outputs shading_direct_in_pixel(Inputs i)
 {
     vec3 N = direction(i.a, i.b);
     ShinyPoint s = {N, view_near(N, i), 0.1 * direction(i.g, i.h), 0.1 * direction(i.h, i.f)};
-    Metallic m = {vec3(i.e, i.f, i.g), i.h, 0.02 + 0.08 * i.e, 1.0};
+    Metallic m = {vec3(i.e, i.f, i.g), i.h, vec2(0.02 + 0.08 * i.e), vec3(0.0), 1.0};
     Phong p = {vec3(i.e), vec3(i.f, i.g, i.h), decades(i.e, 200.0, 1.0e4)};
     Arrival a = light_near(s, i);
     vec3 metal = direct_metallic_in_pixel(m, probe_albedo(i.g, i.h), s, a);
     vec3 phong = direct_phong_in_pixel(p, s, a);
-    Real hidden = select(hides_highlight(s, 0.05 + 0.2 * i.d, a.direction), 1.0, 0.0);
+    Real hidden = select(hides_highlight(s, vec2(0.05 + 0.2 * i.d), a.direction), 1.0, 0.0);
     return outputs(vec3(0.01 * metal.x, 0.01 * phong.y, dot(normal_of_look(s, 11), s.view)),
                    0.3 * hidden);
 }
@@ -313,7 +325,8 @@ Outputs shading_layers(Inputs i)
 {
     Metallic coat = facets_coat(some_material(i), 1.0);
     vec3 V = direction(i.f, i.g);
-    return outputs(left_below(i.a, coat, vec2(0.5 + 0.4 * i.b, 0.1 * i.c)) + left_below_at(i.a, coat, view_near(V, i), V), coat.alpha);
+    return outputs(left_below(i.a, coat, vec2(0.5 + 0.4 * i.b, 0.1 * i.c)) + left_below_at(i.a, coat, view_near(V, i), V),
+                   coat.alpha.x + Real(takes_layers(model_ggx)));
 }
 
 Outputs shading_albedo(Inputs i)

@@ -7,7 +7,7 @@ struct Base_ggx {
 
 Metallic metallic_of(Environment e, Material m)
 {
-    Metallic r = {m.base_color, m.metallic, m.alpha, compensation_of(e)};
+    Metallic r = {m.base_color, m.metallic, vec2(m.alpha), vec3(0.0), compensation_of(e)};
     return r;
 }
 
@@ -32,5 +32,5 @@ vec3 reflected_base(Environment e, Base_ggx b, ShinyPoint s) { return reflected_
 
 Real level_of_base(Environment e, Base_ggx b, ShinyPoint s)
 {
-    return part_of_levels(middle_level_ggx(e, mirror_at(e, s, b.metallic.alpha)), highest_level(e));
+    return part_of_levels(middle_level_ggx(e, mirror_at(e, s, b.metallic)), highest_level(e));
 }

@@ -12,6 +12,6 @@ BASE(ggx, 0, 1)
 BASE(phong, 1, 0)
 #undef BASE
 #else
-#include "shading/lobes/base_ggx.glsl"
-#include "shading/lobes/base_phong.glsl"
+#include "shading/passes/base_ggx.glsl"
+#include "shading/passes/base_phong.glsl"
 #endif
