@@ -1,4 +1,4 @@
-// The public interface over the folders: their types copied into public ones, their errors into BakeError.
+// Implements the public interface: converts internal types to public ones, and Error to BakeError.
 #include "lambent/bake.h"
 
 #include "base/error.h"
@@ -47,7 +47,7 @@ BakeError::Kind kind_of(Failure failure)
     }
 }
 
-// Runs the work with Error, which is the command's, told as BakeError.
+// Runs `work` and rethrows its Error as a BakeError.
 template <class Work>
 auto translated(const Work& work)
 {
@@ -65,7 +65,7 @@ void require(bool condition, const std::string& possible, const Parts&... what)
         throw BakeError(BakeError::Kind::bad_argument, text(what..., ": ", possible));
 }
 
-// Rows of floats in memory, read as those of a file, so that they are mended the same way.
+// Reads rows of floats in memory as if they came from a file, so that they are corrected in the same way.
 class MemoryReader : public image::RadianceReader {
 public:
     MemoryReader(int width, int height, std::span<const float> rgb) : left_(rgb)

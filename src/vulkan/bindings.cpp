@@ -22,7 +22,7 @@ bool fits(Binding binding, const Resource& resource)
            (shape.stacked > 0) == (binding == Binding::sampled_stack);
 }
 
-// Textures that are also drawn into stay in one layout for both.
+// A texture that is also a render target stays in the general layout, which allows both.
 VkImageLayout layout_of(const Texture& texture)
 {
     const bool drawn = (texture.shape().usage & VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT) != 0;

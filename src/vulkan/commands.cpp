@@ -7,7 +7,7 @@ namespace lambent::vulkan {
 namespace {
 
 constexpr std::uint64_t longest_wait =
-    60'000'000'000; // nanoseconds: a picture takes a second where all is well
+    60'000'000'000; // nanoseconds; a submission normally takes about a second
 
 VkImageMemoryBarrier2 whole(const Texture& texture)
 {
@@ -55,8 +55,8 @@ Commands::~Commands()
     device_.call().vkDestroyCommandPool(device_.handle(), pool_, nullptr);
 }
 
-// Everything before is done and seen by everything after. The work here is a chain of large steps that need each other:
-// finer barriers would win nothing.
+// Makes all writes before it visible to all commands after it. The commands form a chain of large, dependent steps, so
+// that finer barriers would gain nothing.
 void Commands::barrier() const
 {
     auto memory = typed<VkMemoryBarrier2>(VK_STRUCTURE_TYPE_MEMORY_BARRIER_2);
@@ -238,7 +238,7 @@ void Commands::run()
     VkResult result = call.vkQueueSubmit2(device_.queue(), 1, &submit, fence);
     if (result == VK_SUCCESS)
         result = call.vkWaitForFences(device_.handle(), 1, &fence, VK_TRUE, longest_wait);
-    if (result == VK_TIMEOUT) // what still runs must not lose its memory
+    if (result == VK_TIMEOUT) // memory must not be freed under commands that still run
         call.vkDeviceWaitIdle(device_.handle());
     call.vkDestroyFence(device_.handle(), fence, nullptr);
     check(result, "working on " + device_.name());

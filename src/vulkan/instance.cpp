@@ -147,7 +147,7 @@ void Instance::watch()
     info.pfnUserCallback = take_complaint;
     info.pUserData = &complaints_;
     if (vkCreateDebugUtilsMessengerEXT(instance_, &info, nullptr, &messenger_) != VK_SUCCESS)
-        messenger_ = VK_NULL_HANDLE; // unwatched is no reason not to draw
+        messenger_ = VK_NULL_HANDLE; // goes on without validation
 }
 
 std::vector<Candidate> Instance::devices() const

@@ -26,7 +26,7 @@ Bytes read(const std::filesystem::path& file)
     }
 }
 
-// Drivers should look themselves; not all of them do.
+// Compares the header with the device, because not all drivers do so themselves.
 bool is_of(const VkPhysicalDeviceProperties& properties, const Bytes& bytes)
 {
     VkPipelineCacheHeaderVersionOne header;
@@ -76,7 +76,7 @@ void PipelineCache::keep() const
     std::filesystem::create_directories(file_.parent_path(), ignored);
     try {
         write_file(file_, bytes);
-    } catch (const Error&) { // the next run compiles again
+    } catch (const Error&) { // harmless: the next run compiles again
     }
 }
 

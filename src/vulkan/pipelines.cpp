@@ -26,7 +26,7 @@ private:
     VkShaderModule module_ = VK_NULL_HANDLE;
 };
 
-// Keeps what Vulkan is shown of the constants.
+// The specialization constants in Vulkan's structures, which point into this object.
 struct Specialization {
     std::vector<VkSpecializationMapEntry> entries;
     VkSpecializationInfo info{};
@@ -52,7 +52,7 @@ VkPipelineShaderStageCreateInfo stage_of(VkShaderStageFlagBits stage, const Modu
     return info;
 }
 
-// The parts of a raster pipeline that are the same for all.
+// The state that all raster pipelines share.
 struct UsualState {
     VkPipelineInputAssemblyStateCreateInfo assembly = typed<VkPipelineInputAssemblyStateCreateInfo>(
         VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO);
