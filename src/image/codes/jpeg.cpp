@@ -28,11 +28,10 @@ Handle owned(tjhandle handle)
     refuse(name, "not a valid JPEG: ", printable(verdict.error, 200));
 }
 
-// An encoder that sends each bit of each coefficient band on its own stays below it.
+// Ten scans are usual; an encoder with a scan for each bit of each band of coefficients stays below this.
 constexpr int max_scans = 100;
 
-// A progressive file may revisit the whole picture in each of many tiny scans. Ten are usual; an
-// encoder that sends each bit of each coefficient band on its own stays below a hundred.
+// Limits the time to decode a progressive file, in which each of many tiny scans may visit the whole image.
 void check_work(const JpegFrame& frame, const std::string& name)
 {
     constexpr std::int64_t max_visits = std::int64_t{1} << 32;
@@ -42,9 +41,9 @@ void check_work(const JpegFrame& frame, const std::string& name)
                " pixels are more work than a JPEG may ask for");
 }
 
-// The first component has a block of 8x8 for every 8x8 pixels at least, and with Huffman codes each block
-// costs at least a bit. Arithmetic coding (processes 0xc9 and up) has no such bound; there a sixteenth is
-// demanded, less than an encoder makes of a flat picture.
+// The first component has at least a block for every 8x8 pixels, and with Huffman codes a block takes at
+// least a bit. Arithmetic coding (processes 0xc9 and up) has no such bound; a sixteenth of a bit is required
+// instead, less than an encoder needs for an image of a single colour.
 void check_length(const JpegFrame& frame, std::size_t length, const std::string& name)
 {
     const std::int64_t blocks = std::int64_t{(frame.width + 7) / 8} * ((frame.height + 7) / 8);
@@ -54,7 +53,7 @@ void check_length(const JpegFrame& frame, std::size_t length, const std::string&
                " pixels its header claims");
 }
 
-// What is wrong with a file that can be read all the same: an error for those who do not listen.
+// Reports damage to a file that can be read nevertheless: a warning, or an error if there are no `warnings`.
 void complain(const std::string& complaint, const std::string& name, Warnings* warnings)
 {
     if (warnings == nullptr)
@@ -98,7 +97,7 @@ std::vector<std::uint8_t> read(JpegDecoder& decoder, const std::string& name)
     return rgba;
 }
 
-// A large picture is first decoded at an eighth of its size, so that memory is only taken for whole files.
+// Decodes a large image at an eighth of its size first, so that full memory is only allocated for complete files.
 void check_whole(std::span<const std::uint8_t> bytes, const JpegFrame& frame, const std::string& name)
 {
     constexpr std::int64_t large = std::int64_t{1} << 24;

@@ -15,8 +15,8 @@ constexpr JDIMENSION rows_at_a_time = 16;
 
 } // namespace
 
-// libjpeg is C: its errors leave by longjmp, past frames that hold nothing to destroy. Everything that changes in them
-// is a member here.
+// libjpeg is a C library: its errors leave by longjmp, which must not skip destructors. The functions between have no
+// objects to destroy, and everything that they change is a member here.
 struct JpegDecoder::State {
     jpeg_decompress_struct decompress{};
     jpeg_error_mgr errors{};
@@ -37,7 +37,7 @@ struct JpegDecoder::State {
         std::longjmp(state.leave, 1);
     }
 
-    // Levels from 0 up are remarks, below 0 complaints.
+    // Negative levels are warnings about damage, all others are trace messages.
     static void hear(j_common_ptr info, int level)
     {
         if (level >= 0)
@@ -108,7 +108,7 @@ JpegDecoder::~JpegDecoder()
 
 bool JpegDecoder::open(int divisor)
 {
-    // NOLINTNEXTLINE(cert-err52-cpp): the library's way
+    // NOLINTNEXTLINE(cert-err52-cpp): libjpeg reports errors by longjmp
     if (setjmp(state_->leave) != 0)
         return false;
     state_->start(divisor);
@@ -117,7 +117,7 @@ bool JpegDecoder::open(int divisor)
 
 bool JpegDecoder::read(std::uint8_t* rgba)
 {
-    // NOLINTNEXTLINE(cert-err52-cpp): the library's way
+    // NOLINTNEXTLINE(cert-err52-cpp): libjpeg reports errors by longjmp
     if (setjmp(state_->leave) != 0)
         return false;
     state_->read(rgba);

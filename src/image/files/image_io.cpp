@@ -17,7 +17,7 @@
 namespace lambent::image {
 namespace {
 
-// The largest image, stored without any compression, and room for metadata.
+// Size of the largest image without compression, plus metadata.
 constexpr std::uint64_t max_codes_file = (std::uint64_t{1} << 31) + (std::uint64_t{1} << 26);
 
 std::vector<std::uint8_t> read_all(ByteSource& source)

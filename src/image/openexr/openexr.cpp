@@ -14,7 +14,7 @@
 namespace lambent::image {
 namespace {
 
-// What the library says, without the "Cannot ... image file "it". " before the reason.
+// Refuses a file for the reason in the library's message, which begins with "Cannot ... image file "it". ".
 [[noreturn]] void refuse_for(const std::exception& error, const std::string& name)
 {
     const std::string_view line = error.what();
@@ -24,10 +24,10 @@ namespace {
            printable(at == std::string_view::npos ? line : line.substr(at + opening.size()), 200));
 }
 
-// Pictures that show more than they hold of pixels: this large, or so many times as large, and no larger.
+// Limits on the display window of a file that stores fewer pixels: `modest_pixels`, or `most_times` the stored ones.
 constexpr std::int64_t modest_pixels = std::int64_t{1} << 25, most_times = 16;
 
-// The display window of a picture; the stored pixels of an environment map, which have the whole of it.
+// The window that is read: the display window, or the data window of an environment map.
 ExrWindow shown_window(const ExrPart& part, const std::string& name)
 {
     const ExrWindow data = part.data_window();
@@ -95,7 +95,7 @@ private:
                    : exr_threads(std::int64_t{part_.width} * part_.height, 2 * part_.decoded_chunk_bytes());
     }
 
-    // Black where nothing is stored; what is stored beyond is left out.
+    // Reads rows of the display window, black where the data window has no pixels. Pixels outside it are left out.
     void read_window(int first, int count, float* rgb)
     {
         constexpr int at_once = 64;

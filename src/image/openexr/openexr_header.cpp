@@ -19,7 +19,7 @@ constexpr std::uint32_t flag_long_names = 0x400;
 constexpr std::uint32_t flag_deep = 0x800;
 constexpr std::uint32_t flag_multipart = 0x1000;
 
-// The attributes that this program or the library uses, with their types; size 0 is any.
+// The attributes that this program or the library uses. Size 0 means any size.
 struct Attribute {
     std::string_view name;
     std::string_view type;
@@ -41,10 +41,10 @@ constexpr Attribute known_attributes[] = {{"channels", "chlist", 0},
                                           {"view", "string", 0},
                                           {"chromaticities", "chromaticities", 32},
                                           {"envmap", "envmap", 1}};
-// Of those, that may be ignored where they make no sense.
+// Known attributes that are ignored if their values are invalid.
 constexpr std::string_view optional_attributes[] = {"chromaticities", "envmap"};
 
-// Thrown when the header goes on behind the bytes at hand.
+// Thrown when the header extends beyond the bytes read so far.
 struct NeedsMore {};
 
 std::uint32_t little_endian(const std::uint8_t* bytes)
@@ -58,7 +58,7 @@ std::int32_t signed_at(const std::uint8_t* bytes)
     return static_cast<std::int32_t>(little_endian(bytes));
 }
 
-// Goes through a span that must not end early.
+// Reads consecutive values from a span.
 class Cursor {
 public:
     explicit Cursor(std::span<std::uint8_t> bytes) : bytes_(bytes) {}
@@ -75,7 +75,7 @@ public:
 
     std::uint32_t take_word() { return little_endian(take(4).data()); }
 
-    // Zero-terminated.
+    // Takes a zero-terminated name.
     std::string_view take_name()
     {
         const auto begin = bytes_.begin() + static_cast<std::ptrdiff_t>(at_);
@@ -99,7 +99,7 @@ public:
     {
     }
 
-    // Positions of the types of attributes that do not matter here.
+    // Positions of the type names of attributes that are not used.
     const std::vector<std::size_t>& unknown_types() const { return unknown_types_; }
 
     // Returns the length of all headers.
@@ -128,7 +128,7 @@ public:
     }
 
 private:
-    // Attributes up to the empty name that ends them; false when there is none.
+    // Reads attributes up to the empty name that ends the header of a part. Returns false if there are none.
     bool scan_part(ExrPart& part)
     {
         found_.fill(false);
@@ -169,7 +169,7 @@ private:
             read_attribute(name, value, part);
     }
 
-    // Returns false for values without sense.
+    // Returns false for invalid values.
     static bool read_optional(std::string_view name, std::span<const std::uint8_t> value, ExrPart& part)
     {
         if (name == "envmap") {

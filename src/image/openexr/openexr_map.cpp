@@ -16,24 +16,24 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Of a cube's pixels those at the corners are the smallest: none of them may be missed.
+// Lookups per texel along each axis: enough to miss none of a cube's pixels, which are smallest at the corners.
 constexpr int points_across = 5;
 
 using Direction = in_double::vec3;
 
-// Pixels of a map, from the middle of the first.
+// A position in a map in pixels, relative to the centre of the first.
 struct MapPlace {
     double x, y;
 };
 
-// Longitude 0 is +Z, in the middle, and longitudes grow to the left, where +X is.
+// Longitude 0 is +Z, in the middle; longitudes increase to the left, towards +X.
 MapPlace place_in_latitudes(const RadianceImage& map, const Direction& d)
 {
     const double longitude = std::atan2(d.x, d.z), polar = std::acos(std::clamp(d.y, -1.0, 1.0));
     return {(0.5 - longitude / (2.0 * pi)) * (map.width - 1), polar / pi * (map.height - 1)};
 }
 
-// Faces one below the other, each as it is seen from outside: those of the text, mirrored.
+// The faces are stacked from top to bottom, each as seen from outside: those of equations/sphere_maps.glsl mirrored.
 MapPlace place_in_cube(const RadianceImage& map, const Direction& d)
 {
     const in_double::CubePlace at = in_double::cube_from_direction(d);
@@ -61,7 +61,7 @@ public:
     {
         if (map_.values.empty()) {
             map_ = read_all_rows(*source_);
-            // In the middle of the picture is +X, a quarter to the right of it +Z.
+            // +X is in the middle column, +Z a quarter of the width to its right.
             for (int x = 0; x < across_ * width_; ++x) {
                 const double phi = column_azimuth(x + 0.5, across_ * width_);
                 turns_.push_back({std::cos(phi), std::sin(phi)});
@@ -97,7 +97,7 @@ private:
         }
     }
 
-    // Bilinear, times a factor.
+    // Adds a bilinear lookup times `factor` to `rgb`.
     void add(const MapPlace& at, float factor, float* rgb) const
     {
         const int left = std::clamp(static_cast<int>(at.x), 0, map_.width - 1);
@@ -107,7 +107,7 @@ private:
         const float *a = map_.pixel(left, top), *b = map_.pixel(right, top);
         const float *c = map_.pixel(left, bottom), *d = map_.pixel(right, bottom);
         const float weights[4] = {(1 - fx) * (1 - fy), fx * (1 - fy), (1 - fx) * fy, fx * fy};
-        // What has no weight may be infinite.
+        // Pixels without weight are skipped, because they may be infinite.
         for (const auto& [pixel, weight] :
              {std::pair(a, weights[0]), {b, weights[1]}, {c, weights[2]}, {d, weights[3]}})
             if (weight > 0.0f)
@@ -117,9 +117,9 @@ private:
 
     std::unique_ptr<RadianceReader> source_;
     bool cube_;
-    int across_; // points of a texel
+    int across_; // lookups per texel along each axis
     RadianceImage map_;
-    std::vector<Turn> turns_; // by column of points
+    std::vector<Turn> turns_; // azimuth of each column of lookups
     int row_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// What the OpenEXR library reads a file through.
+// The stream through which the OpenEXR library reads a file.
 #pragma once
 
 #include "image/byte_source.h"
@@ -12,10 +12,10 @@
 
 namespace lambent::image {
 
-/// The name by which the library calls what it reads.
+/// The file name that the library is given and uses in its messages.
 inline constexpr char exr_nameless[] = "it";
 
-/// A ByteSource, with the checked header in place of the one in the file.
+/// Reads a ByteSource, with the checked header instead of the file's own.
 class ExrStream : public Imf::IStream {
 public:
     ExrStream(ByteSource& source, std::vector<std::uint8_t> header)
@@ -23,7 +23,7 @@ public:
     {
     }
 
-    // Returns whether more can be read, by the library's contract.
+    // Returns whether bytes are left, as the library requires.
     bool read(char* out, int count) override
     {
         auto left = static_cast<std::size_t>(std::max(count, 0));

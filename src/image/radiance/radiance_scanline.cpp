@@ -16,7 +16,7 @@ template <class... Parts>
     refuse(place.file, "scanline ", place.index, ": ", parts...);
 }
 
-// Where a scanline of planes ends, or nothing.
+// Length of a scanline of planes in bytes; nothing if `bytes` end first.
 std::optional<std::size_t> end_of_planes(std::span<const std::uint8_t> bytes, int length,
                                          const ScanlinePlace& place)
 {
@@ -55,7 +55,7 @@ bool is_flat(std::span<const std::uint8_t> bytes, int length)
     return !repeats;
 }
 
-// Where a scanline of pixels and repeats ends, or nothing.
+// Length of a scanline of pixels and repeats in bytes; nothing if `bytes` end first.
 std::optional<std::size_t> end_of_pixels(std::span<const std::uint8_t> bytes, int length,
                                          const ScanlinePlace& place)
 {
@@ -83,7 +83,8 @@ std::optional<std::size_t> end_of_pixels(std::span<const std::uint8_t> bytes, in
     return at;
 }
 
-// Sixteen bytes at a time, past the end if need be: most packets are shorter, and the branch is foreseen.
+// Copies 16 bytes at a time, if need be past the end (scanline_slack). Most packets are shorter, so that the
+// loop's branch is predicted well.
 void copy_steps(std::uint8_t* to, const std::uint8_t* from, int count)
 {
     for (int done = 0; done < count; done += 16)
@@ -120,7 +121,7 @@ std::optional<Scanline> find_scanline(std::span<const std::uint8_t> bytes, int l
 
 void decode_planes(const std::uint8_t* bytes, int length, std::uint8_t* planes)
 {
-    // Packets never cross from one plane into the next: find_scanline saw to it.
+    // find_scanline has checked that no packet crosses into the next plane.
     const std::uint8_t* const end = planes + static_cast<std::size_t>(length) * 4;
     bytes += 4;
     while (planes < end) {
