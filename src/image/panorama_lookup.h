@@ -42,8 +42,8 @@ std::array<double, 3> bilinear(const Neighbours& columns, const Neighbours& rows
                                const Texel& texel)
 {
     const auto at = [&](int x, int y) {
-        const PanoramaTexel place = texel_across(x, y, width, height);
-        return texel(place.x, place.y);
+        const PanoramaTexel inside = texel_across(x, y, width, height);
+        return texel(inside.x, inside.y);
     };
     const auto a = at(columns.first, rows.first), b = at(columns.second, rows.first);
     const auto c = at(columns.first, rows.second), d = at(columns.second, rows.second);

@@ -43,12 +43,12 @@ double texel_solid_angle(int width, int height, int y)
     return 2.0 * std::numbers::pi / width * (std::cos(y * step) - std::cos((y + 1) * step));
 }
 
-PanoramaRows::PanoramaRows(int height) : height_(height), places_(row_angles(height))
+PanoramaRows::PanoramaRows(int height) : height_(height), positions_(row_angles(height))
 {
-    for (double& place : places_)
-        place /= std::numbers::pi;
-    places_.insert(places_.begin(), -places_.front());
-    places_.push_back(2.0 - places_.back());
+    for (double& position : positions_)
+        position /= std::numbers::pi;
+    positions_.insert(positions_.begin(), -positions_.front());
+    positions_.push_back(2.0 - positions_.back());
 }
 
 } // namespace lambent::image

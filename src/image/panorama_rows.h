@@ -30,7 +30,7 @@ struct Neighbours {
     double share;
 };
 
-/// The rows of a picture at row_angles().
+/// Finds the rows of an image around a position; the rows lie at row_angles().
 class PanoramaRows {
 public:
     explicit PanoramaRows(int height);
@@ -40,18 +40,18 @@ public:
     {
         // Each row lies less than half a row from its centre.
         int first = std::clamp(static_cast<int>(std::floor(v * height_ - 0.5)), -1, height_ - 1);
-        if (first < height_ - 1 && v >= place(first + 1))
+        if (first < height_ - 1 && v >= position(first + 1))
             ++first;
-        else if (first >= 0 && v < place(first))
+        else if (first >= 0 && v < position(first))
             --first;
-        return {first, first + 1, (v - place(first)) / (place(first + 1) - place(first))};
+        return {first, first + 1, (v - position(first)) / (position(first + 1) - position(first))};
     }
 
 private:
-    double place(int row) const { return places_[static_cast<std::size_t>(row + 1)]; }
+    double position(int row) const { return positions_[static_cast<std::size_t>(row + 1)]; }
 
     int height_;
-    std::vector<double> places_; // v of each row, with one row beyond each pole
+    std::vector<double> positions_; // v of each row, with one row beyond each pole
 };
 
 } // namespace lambent::image

@@ -19,7 +19,7 @@ bool fits(Binding binding, const Resource& resource)
         return false;
     const TextureShape& shape = resource.texture->shape();
     return shape.cube == (binding == Binding::sampled_cube) &&
-           (shape.stacked > 0) == (binding == Binding::sampled_stack);
+           (shape.array_layers > 0) == (binding == Binding::sampled_array);
 }
 
 // A texture that is also a render target stays in the general layout, which allows both.
@@ -121,7 +121,7 @@ BindingSet::~BindingSet()
     device_.call().vkDestroyDescriptorPool(device_.handle(), pool_, nullptr);
 }
 
-Sampler::Sampler(const Device& device, Filter filter) : device_(device)
+SamplerObject::SamplerObject(const Device& device, Filter filter) : device_(device)
 {
     const bool linear = filter != Filter::nearest;
     auto info = typed<VkSamplerCreateInfo>(VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO);
@@ -134,7 +134,7 @@ Sampler::Sampler(const Device& device, Filter filter) : device_(device)
     check(device.call().vkCreateSampler(device.handle(), &info, nullptr, &sampler_), "making a sampler");
 }
 
-Sampler::~Sampler()
+SamplerObject::~SamplerObject()
 {
     device_.call().vkDestroySampler(device_.handle(), sampler_, nullptr);
 }

@@ -9,7 +9,7 @@
 namespace lambent::vulkan {
 
 /// Kind of the resource at a binding of set 0.
-enum class Binding { storage_buffer, sampled_cube, sampled_picture, sampled_stack };
+enum class Binding { storage_buffer, sampled_cube, sampled_image, sampled_array };
 
 /// Bindings and push constants shared by any number of shaders. The device must outlive it.
 class ShaderLayout {
@@ -73,12 +73,12 @@ enum class Filter {
     nearest, ///< the nearest texel of the nearest level, clamped to the edges
 };
 
-class Sampler {
+class SamplerObject {
 public:
-    Sampler(const Device& device, Filter filter);
-    ~Sampler();
-    Sampler(const Sampler&) = delete;
-    Sampler& operator=(const Sampler&) = delete;
+    SamplerObject(const Device& device, Filter filter);
+    ~SamplerObject();
+    SamplerObject(const SamplerObject&) = delete;
+    SamplerObject& operator=(const SamplerObject&) = delete;
 
     VkSampler handle() const { return sampler_; }
 

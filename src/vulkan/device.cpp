@@ -57,9 +57,9 @@ Device::~Device()
 }
 
 std::uint32_t Device::memory_type(std::uint32_t allowed, VkMemoryPropertyFlags needed,
-                                  VkMemoryPropertyFlags liked) const
+                                  VkMemoryPropertyFlags preferred) const
 {
-    for (const VkMemoryPropertyFlags wanted : {needed | liked, needed})
+    for (const VkMemoryPropertyFlags wanted : {needed | preferred, needed})
         for (std::uint32_t i = 0; i < memory_.memoryTypeCount; ++i)
             if ((allowed & (1u << i)) != 0 && (memory_.memoryTypes[i].propertyFlags & wanted) == wanted)
                 return i;

@@ -30,9 +30,9 @@ public:
     double timestamp_period() const { return timestamp_period_; }
 
     /// Index of a memory type among the bits of `allowed` with all `needed` properties, preferably also with the
-    /// `liked` ones. Throws Error(no_device) if there is none.
+    /// `preferred` ones. Throws Error(no_device) if there is none.
     std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags needed,
-                              VkMemoryPropertyFlags liked) const;
+                              VkMemoryPropertyFlags preferred) const;
 
 private:
     void find_queue_family();

@@ -11,7 +11,7 @@
 namespace lambent::vulkan {
 
 /// Collects the messages of the validation layer from all threads.
-class Complaints {
+class ValidationMessages {
 public:
     void add(const char* message);
     std::vector<std::string> all() const;
@@ -55,20 +55,20 @@ public:
 
     VkInstance handle() const { return instance_; }
     bool validated() const { return messenger_ != VK_NULL_HANDLE; }
-    std::vector<std::string> complaints() const { return complaints_.all(); }
+    std::vector<std::string> validation_messages() const { return messages_.all(); }
 
     /// Throws Error(no_device) with the validation layer's first message, if there is one.
-    void require_silence() const;
+    void require_no_validation_messages() const;
 
     /// All physical devices, in Vulkan's order.
     std::vector<Candidate> devices() const;
 
 private:
-    void watch();
+    void receive_messages();
 
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
-    Complaints complaints_;
+    ValidationMessages messages_;
 };
 
 /// Which devices may be chosen.

@@ -12,7 +12,7 @@
 namespace lambent::vulkan {
 
 /// The memory that a buffer is in, by who reads and writes it.
-enum class Place {
+enum class MemoryKind {
     device,   ///< only the device; filled and read by copies
     upload,   ///< written by the CPU, read by the device
     readback, ///< written by the device, read by the CPU
@@ -21,7 +21,7 @@ enum class Place {
 class Buffer {
 public:
     /// `bytes` is greater than 0.
-    Buffer(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage, Place place);
+    Buffer(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage, MemoryKind kind);
     Buffer(Buffer&& other) noexcept { swap(other); }
     Buffer& operator=(Buffer&& other) noexcept
     {
@@ -36,7 +36,7 @@ public:
     /// The address for shaders; only with VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT.
     VkDeviceAddress address() const;
 
-    /// The mapped memory; not for Place::device.
+    /// The mapped memory; not for MemoryKind::device.
     std::span<std::byte> memory() const { return {static_cast<std::byte*>(mapped_), bytes_}; }
 
 private:
@@ -61,8 +61,9 @@ struct TextureShape {
     VkFormat format = VK_FORMAT_R16G16B16A16_SFLOAT;
     std::uint32_t width = 1, height = 1;
     std::uint32_t levels = 1;
-    bool cube = false;         ///< six layers, viewed as a cube map
-    std::uint32_t stacked = 0; ///< number of layers, viewed as a 2D array; 0: one layer, viewed as a 2D image
+    bool cube = false; ///< six layers, viewed as a cube map
+    std::uint32_t array_layers =
+        0; ///< number of layers, viewed as a 2D array; 0: one layer, viewed as a 2D image
     VkImageUsageFlags usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
 };
 
@@ -81,7 +82,7 @@ public:
     VkImageView view() const { return view_; }
     const TextureShape& shape() const { return shape_; }
     VkImageView layer_view(std::uint32_t layer) const { return layer_views_[layer]; } ///< of a render target
-    std::uint32_t layers() const { return shape_.cube ? 6 : std::max(shape_.stacked, 1u); }
+    std::uint32_t layers() const { return shape_.cube ? 6 : std::max(shape_.array_layers, 1u); }
     VkImageAspectFlags aspect() const;
 
 private:

@@ -21,11 +21,11 @@ Handle owned(tjhandle handle)
     return {handle, &tjDestroy};
 }
 
-[[noreturn]] void refuse_for(const JpegVerdict& verdict, const std::string& name)
+[[noreturn]] void refuse_for(const JpegStatus& status, const std::string& name)
 {
-    if (verdict.out_of_memory)
+    if (status.out_of_memory)
         throw std::bad_alloc();
-    refuse(name, "not a valid JPEG: ", printable(verdict.error, 200));
+    refuse(name, "not a valid JPEG: ", printable(status.error, 200));
 }
 
 // Ten scans are usual; an encoder with a scan for each bit of each band of coefficients stays below this.
@@ -54,11 +54,11 @@ void check_length(const JpegFrame& frame, std::size_t length, const std::string&
 }
 
 // Reports damage to a file that can be read nevertheless: a warning, or an error if there are no `warnings`.
-void complain(const std::string& complaint, const std::string& name, Warnings* warnings)
+void report_damage(const std::string& damage, const std::string& name, Warnings* warnings)
 {
     if (warnings == nullptr)
-        refuse(name, "not a valid JPEG: ", complaint);
-    warnings->push_back(text(name, ": damaged JPEG: ", complaint));
+        refuse(name, "not a valid JPEG: ", damage);
+    warnings->push_back(text(name, ": damaged JPEG: ", damage));
 }
 
 std::string early_end(std::size_t length)
@@ -82,7 +82,7 @@ JpegFrame checked_frame(std::span<const std::uint8_t> bytes, const std::string& 
 void open(JpegDecoder& decoder, int divisor, const JpegFrame& frame, const std::string& name)
 {
     if (!decoder.open(divisor))
-        refuse_for(decoder.verdict(), name);
+        refuse_for(decoder.status(), name);
     if (decoder.width() != (frame.width + divisor - 1) / divisor ||
         decoder.height() != (frame.height + divisor - 1) / divisor || !decoder.has_known_colours())
         refuse(name, "not a valid JPEG: it contradicts itself");
@@ -93,7 +93,7 @@ std::vector<std::uint8_t> read(JpegDecoder& decoder, const std::string& name)
     std::vector<std::uint8_t> rgba(static_cast<std::size_t>(decoder.width()) *
                                    static_cast<std::size_t>(decoder.height()) * 4);
     if (!decoder.read(rgba.data()))
-        refuse_for(decoder.verdict(), name);
+        refuse_for(decoder.status(), name);
     return rgba;
 }
 
@@ -106,7 +106,7 @@ void check_whole(std::span<const std::uint8_t> bytes, const JpegFrame& frame, co
     JpegDecoder decoder(bytes, max_scans);
     open(decoder, 8, frame, name);
     read(decoder, name);
-    if (decoder.verdict().ends_early)
+    if (decoder.status().ends_early)
         refuse(name, "not a valid JPEG: ", early_end(bytes.size()));
 }
 
@@ -138,13 +138,13 @@ CodeImage decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& na
     JpegDecoder decoder(bytes, max_scans);
     open(decoder, 1, frame, name);
     CodeImage image{frame.width, frame.height, 4, 8, read(decoder, name)};
-    const JpegVerdict verdict = decoder.verdict();
-    if (frame.ends_early || verdict.ends_early)
-        complain(early_end(bytes.size()), name, warnings);
-    else if (verdict.complaints > 0)
-        complain(
-            text(printable(verdict.complaint, 200),
-                 verdict.complaints > 1 ? text(" (and ", verdict.complaints - 1, " complaints more)") : ""),
+    const JpegStatus status = decoder.status();
+    if (frame.ends_early || status.ends_early)
+        report_damage(early_end(bytes.size()), name, warnings);
+    else if (status.warnings > 0)
+        report_damage(
+            text(printable(status.warning, 200),
+                 status.warnings > 1 ? text(" (and ", status.warnings - 1, " complaints more)") : ""),
             name, warnings);
     return image;
 }
@@ -153,7 +153,7 @@ ImageInfo inspect_jpeg(std::span<const std::uint8_t> bytes, const std::string& n
 {
     const JpegFrame frame = checked_frame(bytes, name);
     if (frame.ends_early)
-        complain(early_end(bytes.size()), name, warnings);
+        report_damage(early_end(bytes.size()), name, warnings);
     return {"JPEG",
             text(frame.bits, "-bit ", frame.components == 1 ? "grey" : "colour", ", ",
                  process_name(frame.process)),

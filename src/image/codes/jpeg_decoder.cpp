@@ -24,7 +24,7 @@ struct JpegDecoder::State {
     std::jmp_buf leave{};
     std::span<const std::uint8_t> bytes;
     int most_scans = 0;
-    char error[JMSG_LENGTH_MAX] = {}, complaint[JMSG_LENGTH_MAX] = {};
+    char error[JMSG_LENGTH_MAX] = {}, warning[JMSG_LENGTH_MAX] = {};
     bool ends_early = false, out_of_memory = false;
 
     static State& of(j_common_ptr info) { return *static_cast<State*>(info->client_data); }
@@ -38,13 +38,13 @@ struct JpegDecoder::State {
     }
 
     // Negative levels are warnings about damage, all others are trace messages.
-    static void hear(j_common_ptr info, int level)
+    static void take_message(j_common_ptr info, int level)
     {
         if (level >= 0)
             return;
         State& state = of(info);
         if (info->err->num_warnings++ == 0)
-            info->err->format_message(info, state.complaint);
+            info->err->format_message(info, state.warning);
         state.ends_early = state.ends_early || info->err->msg_code == JWRN_JPEG_EOF;
     }
 
@@ -97,7 +97,7 @@ JpegDecoder::JpegDecoder(std::span<const std::uint8_t> bytes, int most_scans)
     state_->most_scans = most_scans;
     state_->decompress.err = jpeg_std_error(&state_->errors);
     state_->errors.error_exit = &State::stop;
-    state_->errors.emit_message = &State::hear;
+    state_->errors.emit_message = &State::take_message;
     state_->decompress.client_data = state_.get();
 }
 
@@ -140,9 +140,9 @@ bool JpegDecoder::has_known_colours() const
     return space == JCS_GRAYSCALE || space == JCS_YCbCr || space == JCS_RGB;
 }
 
-JpegVerdict JpegDecoder::verdict() const
+JpegStatus JpegDecoder::status() const
 {
-    return {state_->error, state_->complaint, state_->errors.num_warnings, state_->ends_early,
+    return {state_->error, state_->warning, state_->errors.num_warnings, state_->ends_early,
             state_->out_of_memory};
 }
 

@@ -11,10 +11,10 @@
 namespace lambent::image {
 
 /// Errors and warnings of the decoder so far.
-struct JpegVerdict {
-    std::string error;     ///< why it stopped; empty if it did not
-    std::string complaint; ///< the first warning; empty if there is none
-    long complaints = 0;   ///< number of warnings
+struct JpegStatus {
+    std::string error;   ///< why it stopped; empty if it did not
+    std::string warning; ///< the first warning; empty if there is none
+    long warnings = 0;   ///< number of warnings
     bool ends_early = false;
     bool out_of_memory = false;
 };
@@ -28,7 +28,7 @@ public:
     ~JpegDecoder();
 
     /// Reads the header. The image is decoded `divisor` times smaller: 1, 2, 4 or 8. Returns false on an error, which
-    /// verdict() describes.
+    /// status() describes.
     bool open(int divisor);
 
     /// Size in pixels, valid after open(): that of the file over the divisor, rounded up.
@@ -38,10 +38,10 @@ public:
     /// Whether the file is grey, YCbCr or RGB, which can be converted to RGBA.
     bool has_known_colours() const;
 
-    /// Decodes to width() * height() RGBA codes. Returns false on an error, which verdict() describes.
+    /// Decodes to width() * height() RGBA codes. Returns false on an error, which status() describes.
     bool read(std::uint8_t* rgba);
 
-    JpegVerdict verdict() const;
+    JpegStatus status() const;
 
 private:
     struct State;

@@ -55,12 +55,12 @@ Bytes key_values(std::map<std::string, std::string> metadata)
 }
 
 // An entry of the level index, in bytes.
-struct Place {
+struct LevelIndexEntry {
     std::uint64_t offset = 0, length = 0, uncompressed = 0;
 };
 
 // Appends the six faces of a level to the file.
-Place append_level(Bytes& file, const CubeMap& map, int level, const Ktx2Options& options)
+LevelIndexEntry append_level(Bytes& file, const CubeMap& map, int level, const Ktx2Options& options)
 {
     const std::uint64_t length = 6 * face_bytes(map, level, options.format);
     if (options.zstd) {
@@ -114,12 +114,12 @@ std::vector<std::uint8_t> encode_ktx2(const CubeMap& map, const Ktx2Options& opt
     file.insert(file.end(), descriptor.begin(), descriptor.end());
     file.insert(file.end(), pairs.begin(), pairs.end());
 
-    std::vector<Place> places(static_cast<std::size_t>(map.levels));
-    for (std::size_t level = places.size(); level-- > 0;) // smallest level first
-        places[level] = append_level(file, map, static_cast<int>(level), options);
+    std::vector<LevelIndexEntry> entries(static_cast<std::size_t>(map.levels));
+    for (std::size_t level = entries.size(); level-- > 0;) // smallest level first
+        entries[level] = append_level(file, map, static_cast<int>(level), options);
     Bytes index;
-    for (const Place& place : places)
-        for (const std::uint64_t number : {place.offset, place.length, place.uncompressed})
+    for (const LevelIndexEntry& entry : entries)
+        for (const std::uint64_t number : {entry.offset, entry.length, entry.uncompressed})
             append(index, number);
     std::copy(index.begin(), index.end(), file.begin() + static_cast<std::ptrdiff_t>(index_at));
     return file;

@@ -18,14 +18,14 @@ namespace {
 [[noreturn]] void refuse_for(const std::exception& error, const std::string& name)
 {
     const std::string_view line = error.what();
-    const std::string opening = text('"', exr_nameless, "\". ");
+    const std::string opening = text('"', exr_stream_name, "\". ");
     const std::size_t at = line.find(opening);
     refuse(name, "not a valid OpenEXR file: ",
            printable(at == std::string_view::npos ? line : line.substr(at + opening.size()), 200));
 }
 
-// Limits on the display window of a file that stores fewer pixels: `modest_pixels`, or `most_times` the stored ones.
-constexpr std::int64_t modest_pixels = std::int64_t{1} << 25, most_times = 16;
+// Limits on the display window of a file that stores fewer pixels: `always_allowed_pixels`, or `max_times_stored` the stored ones.
+constexpr std::int64_t always_allowed_pixels = std::int64_t{1} << 25, max_times_stored = 16;
 
 // The window that is read: the display window, or the data window of an environment map.
 ExrWindow shown_window(const ExrPart& part, const std::string& name)
@@ -37,7 +37,7 @@ ExrWindow shown_window(const ExrPart& part, const std::string& name)
     check_size(name, shown.width, shown.height);
     const std::int64_t pixels = std::int64_t{shown.width} * shown.height,
                        stored = std::int64_t{data.width} * data.height;
-    if (pixels > std::max(modest_pixels, most_times * stored))
+    if (pixels > std::max(always_allowed_pixels, max_times_stored * stored))
         refuse(name, "its display window of ", shown.width, "x", shown.height, " is far larger than the ",
                data.width, "x", data.height, " pixels it stores");
     const auto apart = [](int a, int length, int b, int other) {
@@ -62,8 +62,8 @@ public:
         width_ = shown_.width;
         height_ = shown_.height;
         projection_ = part_.projection;
-        for (const std::string& doubt : part_.doubts)
-            warnings_.push_back(text(source_->name(), ": ", doubt));
+        for (const std::string& warning : part_.warnings)
+            warnings_.push_back(text(source_->name(), ": ", warning));
         if (part_.primaries)
             if (const ColourMatrix matrix = *to_rec709(*part_.primaries); !is_identity(matrix))
                 matrix_ = matrix;

@@ -22,19 +22,19 @@ constexpr int points_across = 5;
 using Direction = in_double::vec3;
 
 // A position in a map in pixels, relative to the centre of the first.
-struct MapPlace {
+struct MapPosition {
     double x, y;
 };
 
 // Longitude 0 is +Z, in the middle; longitudes increase to the left, towards +X.
-MapPlace place_in_latitudes(const RadianceImage& map, const Direction& d)
+MapPosition position_in_latitude_longitude(const RadianceImage& map, const Direction& d)
 {
     const double longitude = std::atan2(d.x, d.z), polar = std::acos(std::clamp(d.y, -1.0, 1.0));
     return {(0.5 - longitude / (2.0 * pi)) * (map.width - 1), polar / pi * (map.height - 1)};
 }
 
 // The faces are stacked from top to bottom, each as seen from outside: those of equations/sphere_maps.glsl mirrored.
-MapPlace place_in_cube(const RadianceImage& map, const Direction& d)
+MapPosition position_in_cube(const RadianceImage& map, const Direction& d)
 {
     const in_double::CubePlace at = in_double::cube_from_direction(d);
     const int face = static_cast<int>(at.face);
@@ -91,14 +91,14 @@ private:
             for (int i = 0; i < across_ * width_; ++i) {
                 const Turn turn = turns_[static_cast<std::size_t>(i)];
                 const Direction d(ring * turn.cosine, up, ring * turn.sine);
-                add(cube_ ? place_in_cube(map_, d) : place_in_latitudes(map_, d), share,
+                add(cube_ ? position_in_cube(map_, d) : position_in_latitude_longitude(map_, d), share,
                     rgb + 3 * (i / across_));
             }
         }
     }
 
     // Adds a bilinear lookup times `factor` to `rgb`.
-    void add(const MapPlace& at, float factor, float* rgb) const
+    void add(const MapPosition& at, float factor, float* rgb) const
     {
         const int left = std::clamp(static_cast<int>(at.x), 0, map_.width - 1);
         const int top = std::clamp(static_cast<int>(at.y), 0, map_.height - 1);

@@ -43,7 +43,7 @@ struct ExrPart {
     ExrWindow display;                  ///< the image; the data window may be smaller or extend beyond it
     std::optional<Primaries> primaries; ///< only if to_rec709() accepts them
     Projection projection = Projection::unknown; ///< a cube only if the data window's size is that of one
-    std::vector<std::string> doubts;             ///< warnings of invalid attributes, one line each
+    std::vector<std::string> warnings;           ///< warnings of invalid attributes, one line each
 
     ExrWindow data_window() const { return {min_x, min_y, width, height}; }
     /// Number of rows that are stored, and therefore decoded, together.

@@ -13,13 +13,13 @@
 namespace lambent::image {
 
 /// The file name that the library is given and uses in its messages.
-inline constexpr char exr_nameless[] = "it";
+inline constexpr char exr_stream_name[] = "it";
 
 /// Reads a ByteSource, with the checked header instead of the file's own.
 class ExrStream : public Imf::IStream {
 public:
     ExrStream(ByteSource& source, std::vector<std::uint8_t> header)
-        : Imf::IStream(exr_nameless), source_(source), header_(std::move(header))
+        : Imf::IStream(exr_stream_name), source_(source), header_(std::move(header))
     {
     }
 

@@ -35,15 +35,14 @@ constexpr std::size_t max_scanline_bytes(int length)
 }
 
 /// The scanline as error messages name it.
-struct ScanlinePlace {
+struct ScanlineId {
     const std::string& file;
     int index; ///< of the scanline, in file order
 };
 
 /// Checks the scanline at the start of `bytes` and finds its end. Returns nothing if the bytes end first.
 /// Throws Error(bad_input) if it is no scanline of `length` pixels.
-std::optional<Scanline> find_scanline(std::span<const std::uint8_t> bytes, int length,
-                                      const ScanlinePlace& place);
+std::optional<Scanline> find_scanline(std::span<const std::uint8_t> bytes, int length, const ScanlineId& id);
 
 /// Decodes a scanline that find_scanline found to be planes into R, G, B and exponent planes of `length` bytes
 /// each; scanline_slack applies.
