@@ -130,8 +130,8 @@ Panorama Panorama::load(const std::filesystem::path& path)
 
 Panorama Panorama::from_pixels(int width, int height, std::span<const float> rgb)
 {
-    const std::string possible = text("2x1 to ", image::max_side, "x", image::max_side, " and ",
-                                      image::max_pixels, " texels in all are possible");
+    const std::string possible = text("the size must be 2x1 to ", image::max_side, "x", image::max_side,
+                                      " and at most ", image::max_pixels, " texels");
     require(width >= 2 && width <= image::max_side && height >= 1 && height <= image::max_side &&
                 std::int64_t{width} * height <= image::max_pixels,
             possible, "a panorama of ", width, "x", height);
@@ -167,8 +167,8 @@ int Panorama::height() const
 
 std::array<float, 3> Panorama::radiance(int x, int y) const
 {
-    require(x >= 0 && x < width() && y >= 0 && y < height(), text("it is ", width(), "x", height()), "texel ",
-            x, ",", y, " of a panorama");
+    require(x >= 0 && x < width() && y >= 0 && y < height(), text("the panorama is ", width(), "x", height()),
+            "texel ", x, ",", y, " of a panorama");
     const environment::Rgb c = texels_->panorama.radiance(x, y);
     return {c.r, c.g, c.b};
 }

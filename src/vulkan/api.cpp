@@ -37,7 +37,7 @@ const char* meaning(VkResult result)
     case VK_ERROR_TOO_MANY_OBJECTS:
         return "too many objects";
     case VK_TIMEOUT:
-        return "it takes too long";
+        return "it took too long";
     default:
         return "it failed";
     }

@@ -63,7 +63,8 @@ std::uint32_t Device::memory_type(std::uint32_t allowed, VkMemoryPropertyFlags n
         for (std::uint32_t i = 0; i < memory_.memoryTypeCount; ++i)
             if ((allowed & (1u << i)) != 0 && (memory_.memoryTypes[i].propertyFlags & wanted) == wanted)
                 return i;
-    throw Error(Failure::no_device, text("Vulkan: ", candidate_.name, " has no memory of the kind needed"));
+    throw Error(Failure::no_device,
+                text("Vulkan: ", candidate_.name, " has no memory with the needed properties"));
 }
 
 } // namespace lambent::vulkan

@@ -86,7 +86,7 @@ Candidate candidate_of(VkPhysicalDevice device)
     else if (!has_queue(device))
         candidate.lacks = "a queue for graphics and compute";
     else if (!has_features(device))
-        candidate.lacks = "a feature (addresses of buffers, indirect draws or numbers of triangles)";
+        candidate.lacks = "a feature (buffer addresses, indirect draws or geometry shaders)";
     candidate.fit = candidate.lacks.empty();
     return candidate;
 }
@@ -123,7 +123,7 @@ Instance::Instance(bool validation)
     const VkResult started = vkCreateInstance(&info, nullptr, &instance_);
     if (started == VK_ERROR_INCOMPATIBLE_DRIVER)
         throw NoSuchDevice(text("Vulkan: ", meaning(started)));
-    check(started, "starting");
+    check(started, "creating an instance");
     volkLoadInstanceOnly(instance_);
     if (validated)
         receive_messages();
@@ -178,7 +178,7 @@ Candidate choose(const std::vector<Candidate>& devices, Choice choice)
             why += text("; ", device.name, device.fit ? " is software" : text(" lacks ", device.lacks));
     }
     if (!best)
-        throw NoSuchDevice(text("Vulkan: there is no device that will do", why));
+        throw NoSuchDevice(text("Vulkan: there is no suitable device", why));
     return *best;
 }
 

@@ -35,7 +35,7 @@ VkDeviceMemory allocate(const Device& device, const VkMemoryRequirements& needs,
     info.memoryTypeIndex = device.memory_type(needs.memoryTypeBits, properties.needed, properties.preferred);
     VkDeviceMemory memory = VK_NULL_HANDLE;
     check(device.call().vkAllocateMemory(device.handle(), &info, nullptr, &memory),
-          text("taking ", needs.size >> 20, " MiB on ", device.name()));
+          text("allocating ", needs.size >> 20, " MiB on ", device.name()));
     return memory;
 }
 
@@ -49,16 +49,16 @@ Buffer::Buffer(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usag
         info.size = bytes;
         info.usage = usage;
         check(device.call().vkCreateBuffer(device.handle(), &info, nullptr, &buffer_),
-              text("making a buffer of ", bytes, " bytes"));
+              text("creating a buffer of ", bytes, " bytes"));
         VkMemoryRequirements needs;
         device.call().vkGetBufferMemoryRequirements(device.handle(), buffer_, &needs);
         memory_ = allocate(device, needs, properties_of(kind),
                            (usage & VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT) != 0);
         check(device.call().vkBindBufferMemory(device.handle(), buffer_, memory_, 0),
-              "giving a buffer its memory");
+              "binding the memory of a buffer");
         if (kind != MemoryKind::device)
             check(device.call().vkMapMemory(device.handle(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped_),
-                  "reaching a buffer's memory");
+                  "mapping the memory of a buffer");
     } catch (...) {
         release();
         throw;
@@ -107,8 +107,8 @@ void Texture::make_image()
     const VkPhysicalDeviceLimits& limits = device_->properties().limits;
     const std::uint32_t most = shape_.cube ? limits.maxImageDimensionCube : limits.maxImageDimension2D;
     if (shape_.width > most || shape_.height > most)
-        throw Error(Failure::no_device, text("Vulkan: ", device_->name(), " has no pictures of ",
-                                             shape_.width, "x", shape_.height, " texels, only up to ", most));
+        throw Error(Failure::no_device, text("Vulkan: ", device_->name(), " has no images of ", shape_.width,
+                                             "x", shape_.height, " texels, only up to ", most));
     auto info = typed<VkImageCreateInfo>(VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO);
     if (shape_.cube)
         info.flags = VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT;
@@ -120,12 +120,12 @@ void Texture::make_image()
     info.samples = VK_SAMPLE_COUNT_1_BIT;
     info.tiling = VK_IMAGE_TILING_OPTIMAL;
     info.usage = shape_.usage;
-    check(device_->call().vkCreateImage(device_->handle(), &info, nullptr, &image_), "making a picture");
+    check(device_->call().vkCreateImage(device_->handle(), &info, nullptr, &image_), "creating an image");
     VkMemoryRequirements needs;
     device_->call().vkGetImageMemoryRequirements(device_->handle(), image_, &needs);
     memory_ = allocate(*device_, needs, properties_of(MemoryKind::device));
     check(device_->call().vkBindImageMemory(device_->handle(), image_, memory_, 0),
-          "giving a picture its memory");
+          "binding the memory of an image");
 }
 
 VkImageAspectFlags Texture::aspect() const
@@ -142,7 +142,7 @@ VkImageView Texture::make_view(VkImageViewType type, std::uint32_t first_layer, 
     info.subresourceRange = {aspect(), 0, shape_.levels, first_layer, count};
     VkImageView view = VK_NULL_HANDLE;
     check(device_->call().vkCreateImageView(device_->handle(), &info, nullptr, &view),
-          "making a view of a picture");
+          "creating an image view");
     return view;
 }
 

@@ -53,7 +53,7 @@ PipelineCache::PipelineCache(const Device& device, std::filesystem::path file)
     loaded_ = !bytes.empty();
     bytes_before_ = bytes.size();
     check(device.call().vkCreatePipelineCache(device.handle(), &info, nullptr, &cache_),
-          "making a cache of shaders");
+          "creating a pipeline cache");
 }
 
 PipelineCache::~PipelineCache()

@@ -13,7 +13,7 @@ public:
         info.codeSize = code.size_bytes();
         info.pCode = code.data();
         check(device.call().vkCreateShaderModule(device.handle(), &info, nullptr, &module_),
-              "reading a shader");
+              "creating a shader module");
     }
     ~Module() { device_.call().vkDestroyShaderModule(device_.handle(), module_, nullptr); }
     Module(const Module&) = delete;

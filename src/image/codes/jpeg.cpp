@@ -38,7 +38,7 @@ void check_work(const JpegFrame& frame, const std::string& name)
     const std::int64_t visits = std::int64_t{frame.width} * frame.height * frame.scans;
     if (frame.scans > max_scans || visits > max_visits)
         refuse(name, "its ", frame.scans, " scans of ", frame.width, "x", frame.height,
-               " pixels are more work than a JPEG may ask for");
+               " pixels exceed the limit on decoding work");
 }
 
 // The first component has at least a block for every 8x8 pixels, and with Huffman codes a block takes at
@@ -63,7 +63,7 @@ void report_damage(const std::string& damage, const std::string& name, Warnings*
 
 std::string early_end(std::size_t length)
 {
-    return text("it ends after ", length, " bytes, before its end mark");
+    return text("it ends after ", length, " bytes, before its end marker");
 }
 
 JpegFrame checked_frame(std::span<const std::uint8_t> bytes, const std::string& name)
@@ -84,8 +84,10 @@ void open(JpegDecoder& decoder, int divisor, const JpegFrame& frame, const std::
     if (!decoder.open(divisor))
         refuse_for(decoder.status(), name);
     if (decoder.width() != (frame.width + divisor - 1) / divisor ||
-        decoder.height() != (frame.height + divisor - 1) / divisor || !decoder.has_known_colours())
-        refuse(name, "not a valid JPEG: it contradicts itself");
+        decoder.height() != (frame.height + divisor - 1) / divisor)
+        refuse(name, "not a valid JPEG: its size contradicts its frame header");
+    if (!decoder.has_known_colours())
+        refuse(name, "its colour space is not supported");
 }
 
 std::vector<std::uint8_t> read(JpegDecoder& decoder, const std::string& name)
@@ -142,10 +144,9 @@ CodeImage decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& na
     if (frame.ends_early || status.ends_early)
         report_damage(early_end(bytes.size()), name, warnings);
     else if (status.warnings > 0)
-        report_damage(
-            text(printable(status.warning, 200),
-                 status.warnings > 1 ? text(" (and ", status.warnings - 1, " complaints more)") : ""),
-            name, warnings);
+        report_damage(text(printable(status.warning, 200),
+                           status.warnings > 1 ? text(" (and ", status.warnings - 1, " more)") : ""),
+                      name, warnings);
     return image;
 }
 

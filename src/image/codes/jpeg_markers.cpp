@@ -99,11 +99,11 @@ JpegFrame read_jpeg_frame(std::span<const std::uint8_t> bytes, const std::string
         read_segments(walk, frame);
     } catch (const EndOfFile&) {
         if (frame.scans == 0)
-            refuse(name, "not a valid JPEG: it ends after ", bytes.size(), " bytes, before its end mark");
+            refuse(name, "not a valid JPEG: it ends after ", bytes.size(), " bytes, before its end marker");
         frame.ends_early = true;
     }
     if (frame.process == 0 || frame.scans == 0)
-        refuse(name, "not a valid JPEG: it holds no picture");
+        refuse(name, "not a valid JPEG: it holds no image");
     return frame;
 }
 

@@ -177,7 +177,7 @@ CodeImage decode_png(std::span<const std::uint8_t> bytes, const std::string& nam
         }
         if (image.bytes.empty())
             throw;
-        warnings->push_back(text(error.what(), ": its pixels are used all the same"));
+        warnings->push_back(text(error.what(), ": its pixels are used nevertheless"));
         return image;
     }
 }

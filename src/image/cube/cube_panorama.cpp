@@ -65,7 +65,7 @@ RadianceImage equirectangular_image(const CubeMap& map, int level, int height)
     if (height < 1 || height > 32768)
         throw Error(Failure::usage, text("a panorama ", height, " texels high: 1 to 32768 are possible"));
     if (level < 0 || level >= map.levels)
-        throw Error(Failure::usage, text("level ", level, " of a cube map that has ", map.levels));
+        throw Error(Failure::usage, text("level ", level, " of a cube map with ", map.levels, " levels"));
     const int width = 2 * height, size = map.face_size(level);
     RadianceImage image = black_image(width, height);
     for (int y = 0; y < height; ++y)

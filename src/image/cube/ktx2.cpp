@@ -35,7 +35,8 @@ void check_key(const std::string& key)
     const bool own = key.starts_with("KTX") || key.starts_with("ktx");
     if (key.empty() || key.find('\0') != std::string::npos ||
         (own && key != "KTXwriter" && key != "KTXwriterScParams" && key != "KTXorientation"))
-        throw Error(Failure::usage, text("KTX 2 has no room for metadata named '", printable(key), "'"));
+        throw Error(Failure::usage,
+                    text("KTX 2 does not allow metadata with the key '", printable(key), "'"));
 }
 
 // The format requires keys sorted by code points. In UTF-8 that is the order of their bytes, and so the map's.

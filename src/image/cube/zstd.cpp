@@ -37,7 +37,7 @@ bool can_write_zstd()
 
 std::vector<std::uint8_t> compress_zstd(std::span<const std::uint8_t>)
 {
-    throw Error(Failure::usage, "this build cannot compress with Zstandard: libzstd was not there");
+    throw Error(Failure::usage, "this build cannot compress with Zstandard: it was built without libzstd");
 }
 
 #endif

@@ -15,7 +15,7 @@ Content content_of(std::span<const std::uint8_t> bytes);
 /// Throws Error(bad_input) if the source is empty.
 Content content_of(ByteSource& source);
 
-/// The format's name, for messages such as "is a PNG".
+/// The format's name with its article, for messages: "a PNG".
 const char* name_of(Content content);
 
 } // namespace lambent::image

@@ -45,9 +45,9 @@ ExrWindow shown_window(const ExrPart& part, const std::string& name)
     };
     if (apart(shown.min_x, shown.width, data.min_x, data.width) ||
         apart(shown.min_y, shown.height, data.min_y, data.height))
-        refuse(name, "nothing of its data window ", data.width, "x", data.height, " at ", data.min_x, ",",
-               data.min_y, " is within its display window ", shown.width, "x", shown.height, " at ",
-               shown.min_x, ",", shown.min_y);
+        refuse(name, "its data window ", data.width, "x", data.height, " at ", data.min_x, ",", data.min_y,
+               " lies outside its display window ", shown.width, "x", shown.height, " at ", shown.min_x, ",",
+               shown.min_y);
     return shown;
 }
 

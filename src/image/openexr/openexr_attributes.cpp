@@ -42,11 +42,11 @@ try {
         const auto x = static_cast<std::int32_t>(cursor.take_word());
         const auto y = static_cast<std::int32_t>(cursor.take_word());
         if (pixel > 2 || x < 1 || y < 1 || part.channels.size() == max_channels)
-            refuse(name, "its channel ", printable(channel), " makes no sense");
+            refuse(name, "its channel ", printable(channel), " is invalid");
         part.channels.push_back({std::string(channel), static_cast<ExrPixel>(pixel), x, y});
     }
 } catch (const ExrCursor::NeedsMore&) {
-    refuse(name, "its list of channels goes beyond its end");
+    refuse(name, "its list of channels extends beyond its attribute");
 }
 
 ExrWindow read_window(std::span<const std::uint8_t> value, const std::string& name, const char* which)
@@ -58,7 +58,8 @@ ExrWindow read_window(std::span<const std::uint8_t> value, const std::string& na
     check_size(name, max_x - min_x + 1, max_y - min_y + 1);
     constexpr std::int64_t far = std::int64_t{1} << 28;
     if (min_x < -far || min_y < -far || max_x > far || max_y > far)
-        refuse(name, "its ", which, " window starts at ", min_x, ",", min_y, ", which is too far away");
+        refuse(name, "its ", which, " window starts at ", min_x, ",", min_y,
+               ", which is too far from the origin");
     return {static_cast<int>(min_x), static_cast<int>(min_y), static_cast<int>(max_x - min_x + 1),
             static_cast<int>(max_y - min_y + 1)};
 }

@@ -89,7 +89,7 @@ private:
             found_.push_back(known);
             read_exr_attribute(*known, value, source_, part);
         } else if (!sound || !read_optional_exr_attribute(*known, value, part)) {
-            part.warnings.push_back(text("its attribute ", known->name, " makes no sense; it is ignored"));
+            part.warnings.push_back(text("its attribute ", known->name, " is invalid; it is ignored"));
             unknown_types_.push_back(type_at);
         }
     }
@@ -113,7 +113,7 @@ private:
             part.projection = Projection::unknown;
             part.warnings.push_back(text("its attribute envmap says cube map, but ", part.width, "x",
                                          part.height,
-                                         " is not six faces one below the other; it is ignored"));
+                                         " is not six square faces one below the other; it is ignored"));
         }
         check_exr_part(part, source_.size(), name_);
     }

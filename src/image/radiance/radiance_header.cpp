@@ -96,7 +96,7 @@ private:
     {
         if (format == "32-bit_rle_xyze")
             refuse(name_, "its colours are XYZ (FORMAT=32-bit_rle_xyze), which is not supported; "
-                          "ra_xyze -r turns it into RGB");
+                          "ra_xyze -r converts it to RGB");
         if (format != "32-bit_rle_rgbe")
             refuse(name_, "its FORMAT is ", printable(format), " and not 32-bit_rle_rgbe");
     }

@@ -31,7 +31,7 @@ std::optional<std::size_t> end_of_planes(std::span<const std::uint8_t> bytes, in
             left -= run ? code - longest_literal : code;
             at += run ? 2u : static_cast<std::size_t>(code) + 1;
             if (code == 0)
-                refuse_scanline(id, "a packet of no bytes");
+                refuse_scanline(id, "a packet of zero bytes");
         }
         if (left < 0)
             refuse_scanline(id, "a packet goes beyond its end");
