@@ -12,7 +12,7 @@ enum class Content { radiance, exr, png, jpeg, other };
 
 Content content_of(std::span<const std::uint8_t> bytes);
 
-/// Throws Error(bad_input) if the source is empty.
+/// Reads the first bytes of `source`. Throws Error(bad_input) if it is empty.
 Content content_of(ByteSource& source);
 
 /// The format's name with its article, for messages: "a PNG".

@@ -24,7 +24,7 @@ namespace {
            printable(at == std::string_view::npos ? line : line.substr(at + opening.size()), 200));
 }
 
-// Limits on the display window of a file that stores fewer pixels: `always_allowed_pixels`, or `max_times_stored` the stored ones.
+// Largest display window of a file that stores fewer pixels: this many, or as many times the stored ones.
 constexpr std::int64_t always_allowed_pixels = std::int64_t{1} << 25, max_times_stored = 16;
 
 // The window that is read: the display window, or the data window of an environment map.

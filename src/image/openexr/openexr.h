@@ -15,11 +15,11 @@ namespace lambent::image {
 /// Reads the rows of the first part that has colour: channels R, G, B; else those of the first layer that has all
 /// three; else luminance-chroma (Y, RY, BY with half the resolution in each direction, in the first part, through half
 /// floats); else Y as grey. Supports half, float and uint, scanlines and tiles (their finest level), and every
-/// compression. The image is the display window, or the data window of an environment map (attribute `envmap`): it is
-/// black where the data window has no pixels, and pixels outside it are left out. Colours are converted to Rec. 709 by
-/// the attribute `chromaticities`; `whiteLuminance` is not applied. Deep images and other subsampled channels are
-/// refused. Rows are decoded in groups (1 to 256 rows, or those of a tile): calls for many rows at once use several
-/// threads. Throws Error(bad_input).
+/// compression. The image is the display window, or the data window of an environment map (attribute `envmap`). It is
+/// black where the data window has no pixels; pixels outside the display window are left out. Colours are converted to
+/// Rec. 709 by the attribute `chromaticities`; `whiteLuminance` is not applied. Deep images and other subsampled
+/// channels are refused. Rows are decoded in groups (1 to 256 rows, or those of a tile): calls for many rows at once
+/// use several threads. Throws Error(bad_input).
 std::unique_ptr<RadianceReader> open_exr(std::unique_ptr<ByteSource> source);
 
 /// Format and size of an OpenEXR file. Throws Error(bad_input).

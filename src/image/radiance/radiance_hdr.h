@@ -17,7 +17,7 @@ namespace lambent::image {
 /// rows use several threads. Throws Error(bad_input).
 std::unique_ptr<RadianceReader> open_radiance_hdr(std::unique_ptr<ByteSource> source);
 
-/// Throws Error(bad_input).
+/// Format and size of a Radiance image. Throws Error(bad_input).
 ImageInfo inspect_radiance_hdr(ByteSource& source);
 
 /// Encodes each pixel as the nearest RGBE codes, run-length encoded, rows from the top. Coverage is dropped.
