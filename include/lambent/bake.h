@@ -1,12 +1,12 @@
-// Environments baked for renderers that look them up once: the whole public interface of the library.
+// Prefilters environment maps for renderers that look them up once per shading point: the library's whole interface.
 //
 //     const lambent::Panorama panorama = lambent::Panorama::load("panorama.hdr");
 //     const lambent::Specular specular = lambent::bake_specular(panorama, {.size = 256});
 //     lambent::write_ktx2(specular.cube, "specular.ktx2");
 //
-// Light is linear RGB of Rec. 709 primaries, proportional to radiance; one unit of a panorama is one nit
-// (cd/m^2) unless its maker says otherwise. +Y is up. All of it may be called from several threads at once,
-// and uses every processor by oneTBB. What goes wrong is a BakeError, or std::bad_alloc.
+// Light is linear RGB with Rec. 709 primaries, proportional to radiance; one unit of a panorama is one nit
+// (cd/m^2) unless its author says otherwise. +Y is up. All functions may be called from several threads at
+// once and run on every processor through oneTBB. They fail with BakeError or std::bad_alloc.
 #pragma once
 
 #include <array>
@@ -26,12 +26,12 @@
 
 namespace lambent {
 
-/// A failure that a user can act on: what() is one line with what, where and why.
+/// A failure that a user can act on: what() is one line that names the object, the position and the reason.
 class LAMBENT_API BakeError : public std::runtime_error {
 public:
     enum class Kind {
-        bad_argument, ///< out of the range that the function documents
-        bad_input,    ///< a file is missing, broken, hostile or of a kind that is not read
+        bad_argument, ///< outside the range that the function documents
+        bad_input,    ///< a file is missing, broken, hostile or of an unsupported format
         cannot_write, ///< a file could not be created, written or renamed
     };
 
@@ -43,71 +43,72 @@ private:
     Kind kind_;
 };
 
-/// What a built-in environment is made with. Sun and haze are for "sky" only.
+/// Parameters of a built-in environment. Sun and haze only affect "sky".
 struct BuiltinOptions {
-    int width = 0; ///< a power of two from 64 to 8192; half as high. 0: the environment's own, 1024 or 2048
+    int width = 0; ///< twice the height; a power of two from 64 to 8192. 0: the default, 1024 or 2048
     float sun_azimuth = -0.8f;  ///< radians about +Y, from +Z towards +X
     float sun_elevation = 0.7f; ///< radians above the horizon, -0.1 to pi/2
-    float turbidity = 2.2f;     ///< optical depth of air with haze over that of air alone, 1.5 (clear) to 10
+    float turbidity = 2.2f;     ///< optical depth of air with haze, relative to pure air: 1.5 (clear) to 10
 };
 
-/// A picture of all directions, equirectangular: rows from the zenith (+Y) down, +X in the middle column, +Z
-/// a quarter of the width to its right. Texels keep 9 bits of their largest channel. Nobody changes them:
+/// An equirectangular image of all directions: rows from the zenith (+Y) down, +X in the middle column, +Z a
+/// quarter of the width to its right. Texels keep 9 bits of their largest channel. They are immutable, and
 /// copies share them.
 class LAMBENT_API Panorama {
 public:
-    /// Reads a Radiance .hdr or OpenEXR .exr, told apart by content. Texels that are not finite or above 1e10
-    /// get the mean of their neighbours, negative light becomes 0, odd shapes are stretched over the sphere:
-    /// warnings(). Throws bad_input.
+    /// Reads a Radiance .hdr or OpenEXR .exr file; its content decides which. Texels that are not finite or
+    /// above 1e10 become the mean of their neighbours, negative values become 0, and an image that is not
+    /// twice as wide as high is stretched over the sphere; warnings() reports all three. Throws bad_input.
     static Panorama load(const std::filesystem::path& path);
 
-    /// From memory: rows from the top, three floats a texel, width * height * 3 in all, mended as load()
-    /// does. Throws bad_argument unless the width is 2 to 65536, the height 1 to 65536, and both fit 2^28
-    /// texels.
+    /// Takes pixels from memory: rows from the top, three floats per texel, width * height * 3 in all,
+    /// corrected as by load(). Throws bad_argument unless the width is 2 to 65536, the height 1 to 65536 and
+    /// width * height at most 2^28.
     static Panorama from_pixels(int width, int height, std::span<const float> rgb);
 
-    /// "kitchen", "studio", "sky" or "furnace" (radiance 1 everywhere). One unit is 15000 / 9 nits in the
-    /// kitchen, 15000 in the sky. Throws bad_argument.
+    /// Makes "kitchen", "studio", "sky" or "furnace" (radiance 1 everywhere). One unit is 15000 / 9 nits in
+    /// "kitchen" and 15000 nits in "sky". Throws bad_argument.
     static Panorama builtin(std::string_view name, const BuiltinOptions& options = {});
 
     int width() const;
     int height() const;
 
-    /// Column x from the left, row y from the top. Throws bad_argument outside the picture.
+    /// Radiance of the texel in column x from the left and row y from the top. Throws bad_argument outside
+    /// the panorama.
     std::array<float, 3> radiance(int x, int y) const;
 
-    /// What was mended, one line each; none for most files.
+    /// The corrections made while reading, one line each; empty for most files.
     const std::vector<std::string>& warnings() const;
 
-    // No moves: there is no panorama without texels.
+    // Copied instead of moved, so that every panorama has texels.
     Panorama(const Panorama&) = default;
     Panorama& operator=(const Panorama&) = default;
     ~Panorama() = default;
 
 private:
-    friend struct PanoramaAccess; // the library's own
+    friend struct PanoramaAccess; // internal to the library
     struct Texels;
     explicit Panorama(std::shared_ptr<const Texels> texels) : texels_(std::move(texels)) {}
 
     std::shared_ptr<const Texels> texels_;
 };
 
-/// Light on the faces of a cube. `values` holds RGB level by level (each half as wide as the one before), in
-/// a level the faces +X -X +Y -Y +Z -Z, in a face rows from the top and texels from the left.
+/// Light on the faces of a cube. `values` holds RGB by level (each half as wide as the previous one), then
+/// by face (+X -X +Y -Y +Z -Z), then by row from the top, texels from the left.
 ///
-/// Texel (x, y) of a face lies in the direction, with s = (2x + 1) / n - 1 and t = (2y + 1) / n - 1 on faces
-/// n wide,
+/// With s = (2x + 1) / n - 1 and t = (2y + 1) / n - 1, the direction of texel (x, y) of a face n texels wide
+/// is
 ///     +X ( 1, -t, -s)    +Y (s,  1,  t)    +Z ( s, -t,  1)
 ///     -X (-1, -t,  s)    -Y (s, -1, -t)    -Z (-s, -t, -1)
-/// which is how OpenGL, Vulkan and Direct3D look cubes up. [Vulkan 1.3, "Cube Map Face Selection"]
+/// as in the cube map lookups of OpenGL, Vulkan and Direct3D. [Vulkan 1.3, "Cube Map Face Selection"]
 struct CubeMap {
-    int size = 0;   ///< of a face at level 0, in texels
-    int levels = 0; ///< 1 to as many as halve `size` down to 1
+    int size = 0;   ///< width of a face at level 0, in texels
+    int levels = 0; ///< 1 up to the number of levels down to faces of one texel
     std::vector<float> values;
 
     int face_size(int level) const { return size >> level > 0 ? size >> level : 1; }
 
-    /// Where the first of the three floats of a texel is in `values`.
+    /// Index in `values` of a texel's first float.
     std::size_t index(int level, int face, int x, int y) const
     {
         std::size_t faces_before = 0;
@@ -125,11 +126,11 @@ private:
     }
 };
 
-/// What a level of specular light is averaged with, about the mirrored direction R = N = V; each over its
-/// integral.
+/// The lobe about the reflected direction R = N = V that weights radiance in a level of the specular map; the
+/// weights are normalized by their integral.
 enum class Lobe {
-    ggx,   ///< D(h) N.L, h half way between N and L [Karis 2013, "Real shading in Unreal Engine 4"]
-    phong, ///< (R.L)^n with n = 2 / alpha^2 - 2, kept within 0.01 to 1e6 [Walter et al. 2007, 5.2]
+    ggx,   ///< D(h) N.L, h the half vector of N and L [Karis 2013, "Real shading in Unreal Engine 4"]
+    phong, ///< (R.L)^n with n = 2 / alpha^2 - 2, clamped to 0.01 to 1e6 [Walter et al. 2007, 5.2]
 };
 
 /// Perceptual roughness (the square root of alpha) of level l of n, with t = l / (n - 1).
@@ -139,15 +140,15 @@ enum class RoughnessMapping {
 };
 
 struct SpecularOptions {
-    int size = 256; ///< of a face at level 0, a power of two from 1 to 4096; levels go down to one texel
+    int size = 256; ///< width of level 0, a power of two from 1 to 4096; levels go down to one texel
     Lobe lobe = Lobe::ggx;
     RoughnessMapping mapping = RoughnessMapping::linear;
-    double error = 0.01; ///< relative RMSE aimed at in each level, 0.0005 to 0.2
+    double error = 0.01; ///< target relative RMSE of each level, 0.0005 to 0.2
 };
 
 struct SpecularLevel {
     double perceptual_roughness = 0.0;
-    double error = 0.0; ///< relative RMSE found at some texels, against the sum over the panorama in double
+    double error = 0.0; ///< relative RMSE of a few texels against a sum over all of the panorama in double
 };
 
 struct Specular {
@@ -155,39 +156,41 @@ struct Specular {
     std::vector<SpecularLevel> levels;
 };
 
-/// Specular light by roughness. `progress` is called with the share done, 0 to 1, by one thread at a time.
-/// Throws bad_argument.
+/// Filters the panorama with the lobe of each level's roughness. `progress` is called with the fraction done,
+/// 0 to 1, by one thread at a time. Throws bad_argument.
 LAMBENT_API Specular bake_specular(const Panorama& panorama, const SpecularOptions& options = {},
                                    const std::function<void(double)>& progress = {});
 
-/// Irradiance, the integral of radiance times the cosine (lux for radiance in nits), by direction of the
-/// surface normal: one level, faces of `size` texels. A Lambertian surface of albedo a reflects a / pi of it.
-/// Throws bad_argument unless the size is 1 to 4096.
+/// Computes irradiance, the integral of radiance times the cosine (lux for radiance in nits), for each
+/// direction of the surface normal: one level, faces of `size` texels. A Lambertian surface of albedo a
+/// reflects a / pi of it as radiance. Throws bad_argument unless the size is 1 to 4096.
 LAMBENT_API CubeMap bake_irradiance(const Panorama& panorama, int size = 32);
 
 /// Nine RGB coefficients.
 using Harmonics = std::array<std::array<double, 3>, 9>;
 
-/// Irradiance on a surface of unit normal (x, y, z), as the sum of c[i] Y[i], cut at 0, with the harmonics Y
+/// Projects irradiance to spherical harmonics. Irradiance on a surface of unit normal (x, y, z) is the sum of
+/// c[i] Y[i], clamped at 0, with the harmonics Y
 ///     0.282095, 0.488603 y, 0.488603 z, 0.488603 x, 1.092548 x y, 1.092548 y z, 0.315392 (3 z^2 - 1),
 ///     1.092548 x z, 0.546274 (x^2 - y^2)
-/// The clamped cosine is in the coefficients. Off by a few percent under a single sun.
+/// The coefficients include the clamped cosine. The error is a few percent under a single sun.
 /// [Ramamoorthi and Hanrahan 2001, "An efficient representation for irradiance environment maps"]
 LAMBENT_API Harmonics bake_irradiance_harmonics(const Panorama& panorama);
 
-/// How much a GGX surface reflects in all, by single scattering: F0 R + G. Column x is N.V = (x + 1/2) /
-/// size, row y perceptual roughness (y + 1/2) / size. B is R + G: energy scattered more than once is given
-/// back by a factor 1 + F0 (1 / B - 1). [Karis 2013; Turquin 2019, "Practical multiple scattering
-/// compensation for microfacet models"]
+/// Directional albedo of a GGX surface for single scattering: F0 R + G. Column x is N.V = (x + 1/2) / size,
+/// row y perceptual roughness (y + 1/2) / size. B is R + G: the factor 1 + F0 (1 / B - 1) compensates for
+/// multiple scattering. [Karis 2013; Turquin 2019, "Practical multiple scattering compensation for
+/// microfacet models"]
 struct SplitSumTable {
     int size = 0;
     std::vector<float> values; ///< R, G, B for each texel, row by row
 };
 
-/// The same for every environment. Throws bad_argument unless the size is 2 to 1024.
+/// Computes the table, which does not depend on the environment. Throws bad_argument unless the size is 2 to
+/// 1024.
 LAMBENT_API SplitSumTable bake_split_sum_table(int size = 128);
 
-/// How a file stores a texel. Light is cut to what a format holds.
+/// How a file stores a texel. Values are clamped to the range of the format.
 enum class TexelFormat {
     half4,  ///< four half floats, alpha 1; at most 65504
     float4, ///< four floats, alpha 1
@@ -203,9 +206,9 @@ struct Ktx2Options {
 /// Whether the library was built with Zstandard.
 LAMBENT_API bool can_write_zstd();
 
-/// A KTX 2 file [Khronos, KTX File Format Specification 2.0.4], and a DDS file with the header of Direct3D
-/// 10. Whole or not at all: what was there stays until the new file is complete. Throw cannot_write, and
-/// bad_argument for a cube whose values are not as many as its size and levels say, for metadata that KTX 2
+/// Write a KTX 2 file [Khronos, KTX File Format Specification 2.0.4] or a DDS file with the Direct3D 10
+/// header. An existing file is replaced only once the new one is complete. Throw cannot_write, and
+/// bad_argument for a cube whose number of values does not match its size and levels, for metadata that KTX 2
 /// forbids and for `zstd` without Zstandard.
 LAMBENT_API void write_ktx2(const CubeMap& cube, const std::filesystem::path& path,
                             const Ktx2Options& options = {});

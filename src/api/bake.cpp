@@ -1,4 +1,4 @@
-// The public interface over the folders: their types copied into public ones, their errors into BakeError.
+// Implements the public interface: converts internal types to public ones, and Error to BakeError.
 #include "lambent/bake.h"
 
 #include "base/error.h"
@@ -47,7 +47,7 @@ BakeError::Kind kind_of(Failure failure)
     }
 }
 
-// Runs the work with Error, which is the command's, told as BakeError.
+// Runs `work` and rethrows its Error as a BakeError.
 template <class Work>
 auto translated(const Work& work)
 {
@@ -65,7 +65,7 @@ void require(bool condition, const std::string& possible, const Parts&... what)
         throw BakeError(BakeError::Kind::bad_argument, text(what..., ": ", possible));
 }
 
-// Rows of floats in memory, read as those of a file, so that they are mended the same way.
+// Reads rows of floats in memory as if they came from a file, so that they are corrected in the same way.
 class MemoryReader : public image::RadianceReader {
 public:
     MemoryReader(int width, int height, std::span<const float> rgb) : left_(rgb)
@@ -130,8 +130,8 @@ Panorama Panorama::load(const std::filesystem::path& path)
 
 Panorama Panorama::from_pixels(int width, int height, std::span<const float> rgb)
 {
-    const std::string possible = text("2x1 to ", image::max_side, "x", image::max_side, " and ",
-                                      image::max_pixels, " texels in all are possible");
+    const std::string possible = text("the size must be 2x1 to ", image::max_side, "x", image::max_side,
+                                      " and at most ", image::max_pixels, " texels");
     require(width >= 2 && width <= image::max_side && height >= 1 && height <= image::max_side &&
                 std::int64_t{width} * height <= image::max_pixels,
             possible, "a panorama of ", width, "x", height);
@@ -167,8 +167,8 @@ int Panorama::height() const
 
 std::array<float, 3> Panorama::radiance(int x, int y) const
 {
-    require(x >= 0 && x < width() && y >= 0 && y < height(), text("it is ", width(), "x", height()), "texel ",
-            x, ",", y, " of a panorama");
+    require(x >= 0 && x < width() && y >= 0 && y < height(), text("the panorama is ", width(), "x", height()),
+            "texel ", x, ",", y, " of a panorama");
     const environment::Rgb c = texels_->panorama.radiance(x, y);
     return {c.r, c.g, c.b};
 }

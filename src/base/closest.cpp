@@ -8,15 +8,15 @@
 namespace lambent {
 namespace {
 
-// Longer words are not what anyone mistypes, and would cost time.
+// Longer words are hardly typing errors, and the distance takes quadratic time.
 constexpr std::size_t longest = 64;
 
 } // namespace
 
 std::size_t edit_distance(std::string_view a, std::string_view b)
 {
-    // Rows of the table: the distances of each start of `b` from the starts of `a` up to the letter before the last one,
-    // the last one and this one.
+    // Three rows of the table: the distances of every prefix of `b` from the prefixes of `a` that end two letters
+    // before the current one (`before`), one letter before it (`last`) and with it (`now`).
     std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), now(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j)
         last[j] = j;

@@ -1,4 +1,4 @@
-// What can go wrong, and how warnings travel. Depends on nothing.
+// Errors and warnings. Depends on no other file.
 #pragma once
 
 #include <stdexcept>
@@ -7,16 +7,16 @@
 
 namespace lambent {
 
-/// Kinds of failure, by who can do something about it.
+/// Kinds of failure.
 enum class Failure {
-    over_bound,   ///< pictures differ by more than the caller allows
+    over_bound,   ///< images differ by more than the caller allows
     usage,        ///< the caller asked for something that does not exist or does not fit
-    bad_input,    ///< a file is missing, broken, hostile or of a kind we do not read
+    bad_input,    ///< a file is missing, broken, hostile or of an unsupported format
     no_device,    ///< no suitable processor, GPU or driver
     cannot_write, ///< the output could not be created, written or renamed
 };
 
-/// A failure that a user can act on: one line, naming the file, the place and the reason.
+/// A failure that a user can act on: one line that names the file, the position in it and the reason.
 class Error : public std::runtime_error {
 public:
     Error(Failure failure, const std::string& line) : std::runtime_error(line), failure_(failure) {}
@@ -27,7 +27,7 @@ private:
     Failure failure_;
 };
 
-/// Things the user should know though the work goes on: one line each, in the order found.
+/// Problems that the user should know of but that do not stop the work: one line each, in the order found.
 using Warnings = std::vector<std::string>;
 
 } // namespace lambent

@@ -39,7 +39,7 @@ struct Descriptor {
     throw Error(Failure::cannot_write, text(path.string(), ": cannot write: ", std::strerror(error)));
 }
 
-// Only regular files: opening a pipe or a terminal would hang, and a folder reads as nothing.
+// Accepts regular files only: reading a pipe or a terminal could block forever, and a folder has no bytes.
 std::uint64_t checked_size(int fd, const std::filesystem::path& path)
 {
     struct stat status {};
@@ -64,14 +64,14 @@ void read_all(int fd, std::span<std::uint8_t> bytes, const std::filesystem::path
     }
 }
 
-// A file in the same folder as the target, so that the rename cannot cross file systems; removed unless it became the
-// target.
+// A file in the same folder as the target, so that the rename cannot cross file systems. It is deleted unless it became
+// the target.
 class TemporaryFile {
 public:
     explicit TemporaryFile(const std::filesystem::path& target) : target_(target)
     {
-        // A process id and a counter: neither two processes nor two threads of one share a name. One that is there is
-        // left from a process that was killed, or belongs to another machine.
+        // The process id and a counter keep the names of processes and threads apart. A file that exists already was
+        // left by a process that was killed, or belongs to another machine.
         static std::atomic<unsigned> counter{0};
         do {
             name_ = target;
@@ -103,7 +103,7 @@ public:
         }
     }
 
-    // Some file systems tell only on closing that there was no room.
+    // Some file systems report a full disk only on close().
     void become_target()
     {
         if (::close(std::exchange(fd_, -1)) != 0 || ::rename(name_.c_str(), target_.c_str()) != 0)

@@ -1,5 +1,4 @@
-// Whole files in, whole files out: a reader that refuses what is too large, a writer that leaves no part
-// behind.
+// Reads and writes whole files. Reading refuses files that are too large; writing never leaves a partial file.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +17,7 @@ std::vector<std::uint8_t> read_file(const std::filesystem::path& path,
 /// The first bytes of a regular file, at most `count`. Throws as read_file.
 std::vector<std::uint8_t> read_start(const std::filesystem::path& path, std::size_t count);
 
-/// Size in bytes of a regular file, or Error(bad_input) as read_file.
+/// Size of a regular file in bytes. Throws as read_file.
 std::uint64_t file_size(const std::filesystem::path& path);
 
 /// Writes `bytes` under a temporary name beside `path` and renames it when complete: `path` holds its old
@@ -26,8 +25,8 @@ std::uint64_t file_size(const std::filesystem::path& path);
 /// device.
 void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 
-/// Throws the Error(cannot_write) that write_file would, as far as can be told before the work: for a
-/// mistyped folder to be reported at once and not after the rendering.
+/// Throws the Error(cannot_write) of write_file as far as it can be foreseen, so that a mistyped folder is
+/// reported before rendering and not after it.
 void check_can_write(const std::filesystem::path& path);
 
 } // namespace lambent

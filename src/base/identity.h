@@ -1,4 +1,4 @@
-// Which of all things of its kind one is.
+// A unique number per object, for caches to recognize it by.
 #pragma once
 
 #include <atomic>
@@ -6,8 +6,9 @@
 
 namespace lambent {
 
-/// A member that says, by a number that none other ever had, that what was kept of a thing is still that of this thing:
-/// addresses are used again. What is copied, moved from or assigned to is another thing from then on.
+/// A member that identifies its object by a number that no other ever had, so that data cached for an object is not
+/// taken for that of another one at the same address. Moving takes the number along; a copy, the target of a copy
+/// assignment and a moved-from object get a new one.
 class Identity {
 public:
     Identity() = default;
@@ -26,7 +27,7 @@ public:
     }
     ~Identity() = default;
 
-    /// Above 0.
+    /// Greater than 0.
     std::uint64_t number() const { return number_; }
 
 private:

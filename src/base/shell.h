@@ -1,11 +1,11 @@
-// Words for a shell.
+// Quotes words for a shell.
 #pragma once
 
 #include <string>
 
 namespace lambent {
 
-/// A word as a POSIX shell reads it back: in single quotes unless all of it is plain.
+/// The word in a form that a POSIX shell reads back unchanged: in single quotes if it has any special character.
 std::string shell_quoted(const std::string& word);
 
 } // namespace lambent

@@ -6,7 +6,7 @@
 
 namespace lambent {
 
-/// All arguments, streamed one after the other: text("size ", 3, "x", 4) is "size 3x4".
+/// All arguments streamed into one string: text("size ", 3, "x", 4) is "size 3x4".
 template <class... Parts>
 std::string text(const Parts&... parts)
 {
@@ -15,7 +15,7 @@ std::string text(const Parts&... parts)
     return out.str();
 }
 
-/// A message that stays on its line whatever the names in it: control characters become question marks.
+/// The message with control characters, which names of files may contain, replaced by question marks.
 inline std::string one_line(std::string message)
 {
     for (char& c : message)

@@ -1,4 +1,4 @@
-// The texts of this folder in C++.
+// This folder's GLSL files compiled as C++.
 #pragma once
 
 #include <glm/vec4.hpp>
@@ -18,7 +18,7 @@ using uint = std::uint32_t;
 #include "gpu_layout/scene.glsl"
 #include "gpu_layout/tile.glsl"
 
-// std430: vectors of four at multiples of 16 bytes, without gaps.
+// The layout of std430: four-component vectors start at multiples of 16 bytes, and there is no padding.
 static_assert(sizeof(LightRecord) == 64 && offsetof(LightRecord, outer) == 48);
 static_assert(sizeof(SampleRecord) == 32 && offsetof(SampleRecord, lobe) == 16);
 static_assert(sizeof(LampRecord) == 32 && offsetof(LampRecord, light) == 16);

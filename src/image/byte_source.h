@@ -1,4 +1,4 @@
-// Bytes read piece by piece, from a file or from memory, so that decoders never hold a large file whole.
+// Reads bytes piece by piece from a file or from memory, so that decoders need not hold a large file in memory.
 #pragma once
 
 #include <cstddef>
@@ -10,16 +10,16 @@
 
 namespace lambent::image {
 
-/// A file or a block of memory whose size is known. Not safe for use by several threads at once.
+/// A file or a block of memory of known size. May be used by one thread at a time.
 class ByteSource {
 public:
     virtual ~ByteSource() = default;
 
-    /// For messages.
+    /// The file's name, for messages.
     const std::string& name() const { return name_; }
     std::uint64_t size() const { return size_; }
 
-    /// Copies `count` bytes from `offset` on to `out`. Throws Error(bad_input) when they are not all there.
+    /// Copies `count` bytes from `offset` on to `out`. Throws Error(bad_input) if the source ends before them.
     void read(std::uint64_t offset, void* out, std::size_t count);
 
 protected:
@@ -32,10 +32,10 @@ private:
     std::uint64_t size_;
 };
 
-/// A regular file. Throws Error(bad_input) when it is missing, no regular file or unreadable.
+/// Opens a regular file. Throws Error(bad_input) if it is missing, not regular or unreadable.
 std::unique_ptr<ByteSource> open_bytes(const std::filesystem::path& path);
 
-/// Memory, which must outlive the source.
+/// Opens bytes in memory, which must outlive the source. `name` is used in messages.
 std::unique_ptr<ByteSource> open_bytes(std::span<const std::uint8_t> bytes, const std::string& name);
 
 } // namespace lambent::image

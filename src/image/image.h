@@ -1,4 +1,4 @@
-// Pixels in memory, and what their numbers mean.
+// Images in memory: linear radiance and code values.
 #pragma once
 
 #include <cstddef>
@@ -7,16 +7,17 @@
 
 namespace lambent::image {
 
-/// Light: linear RGB or RGBA, proportional to radiance (one unit of an environment is one nit unless its
-/// maker says otherwise), Rec. 709 primaries. Rows from the top, pixels from the left, channels interleaved.
+/// Linear RGB or RGBA with Rec. 709 primaries, proportional to radiance (one unit of an environment is one nit
+/// unless its author says otherwise). Rows from the top, pixels from the left, channels interleaved.
 struct RadianceImage {
     int width = 0;
     int height = 0;
-    int channels = 3;          ///< 3 (RGB) or 4 (RGB and coverage; RGB is what arrives, multiplied by it)
+    int channels = 3;          ///< 3 (RGB) or 4 (RGB premultiplied by coverage, then coverage)
     std::vector<float> values; ///< width * height * channels
 
-    /// Of a drawn picture, RGBA: what of `values` comes from surfaces without lighting, which are shown in their own colour
-    /// whatever exposure and tone curve are; and their share of the pixel, by which that is multiplied. Empty: none.
+    /// In a rendered image, the part of `values` that comes from unlit surfaces, whose colour is displayed without
+    /// exposure and tone curve: RGBA, premultiplied by A, the fraction of the pixel that they cover. Empty if there are
+    /// none.
     std::vector<float> unlit = {};
 
     float* pixel(int x, int y) { return values.data() + offset(x, y); }
@@ -30,7 +31,7 @@ private:
     }
 };
 
-/// A picture in which everything is 0.
+/// An image whose values are all 0.
 inline RadianceImage black_image(int width, int height, int channels = 3)
 {
     RadianceImage image{width, height, channels, {}};
@@ -39,8 +40,8 @@ inline RadianceImage black_image(int width, int height, int channels = 3)
     return image;
 }
 
-/// Code values: what a PNG or a JPEG holds and a display shows, or what a texture stores. Which transfer
-/// function they went through is known by whoever uses them, not here. Same order as RadianceImage.
+/// Code values of a PNG, a JPEG, a display or a texture, in the order of RadianceImage. Their transfer function
+/// is known to the caller and not stored here.
 struct CodeImage {
     int width = 0;
     int height = 0;

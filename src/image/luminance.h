@@ -3,13 +3,13 @@
 
 namespace lambent::image {
 
-/// Of linear RGB with the primaries of Rec. 709, in the unit of its parts. [ITU-R BT.709-6, item 3.2]
+/// Luminance of linear RGB with Rec. 709 primaries, in the unit of r, g and b. [ITU-R BT.709-6, item 3.2]
 constexpr double luminance(double r, double g, double b)
 {
     return 0.2126 * r + 0.7152 * g + 0.0722 * b;
 }
 
-/// The same of three values side by side: a pixel, or a vector's or an array's parts.
+/// The same for three consecutive values, such as a pixel or the elements of a vector.
 template <class Value>
 constexpr double luminance(const Value* rgb)
 {

@@ -1,4 +1,4 @@
-// Small floating point formats for texels, one value at a time. tests/image bounds their errors.
+// Packs single texels into small floating-point formats. tests/image bounds the errors.
 #pragma once
 
 #include <algorithm>
@@ -8,18 +8,19 @@
 
 namespace lambent::image {
 
-/// Added before cutting off the fraction, this rounds halves up: the float below one half, because one half itself
-/// would carry the float below it up too.
+/// Added before the fraction is truncated, this rounds to nearest, halves up. It is the float just below 0.5: adding
+/// 0.5 itself would also round up the float just below 0.5.
 inline constexpr float round_half_up = 0x1.fffffep-2f;
 
-/// Three 9-bit mantissas under one 5-bit exponent. Components are cut to [0, 65408]; the error is at most 2^-9 of the
-/// largest component (and 2^-25 absolute). [OpenGL 4.6, 8.5.2 "Encoding of Special Internal Formats"]
+/// Packs RGB into three 9-bit mantissas with a shared 5-bit exponent. Components are clamped to [0, 65408], NaN becomes
+/// 0; the error is at most 2^-9 of the largest component (and 2^-25 absolute). [OpenGL 4.6, 8.5.2 "Encoding of Special
+/// Internal Formats"]
 inline std::uint32_t pack_rgb9e5(float r, float g, float b)
 {
-    const auto cut = [](float v) { return v > 0.0f ? std::min(v, 65408.0f) : 0.0f; }; // NaN becomes 0
+    const auto cut = [](float v) { return v > 0.0f ? std::min(v, 65408.0f) : 0.0f; };
     r = cut(r), g = cut(g), b = cut(b);
     const float largest = std::max(r, std::max(g, b));
-    // floor(log2), from the bits; at least -16, where the exponent field is 0.
+    // floor(log2(largest)) from its bits, at least -16, which is stored as 0.
     int exponent = std::max(-16, static_cast<int>(std::bit_cast<std::uint32_t>(largest) >> 23) - 127);
     // 2^(8 - exponent): the largest component gets nine bits.
     float scale = std::bit_cast<float>(static_cast<std::uint32_t>(127 + 8 - exponent) << 23);
@@ -43,7 +44,7 @@ inline Rgb unpack_rgb9e5(std::uint32_t texel)
             static_cast<float>(texel >> 18 & 511) * scale};
 }
 
-/// Half float, rounded to nearest even; above 65504 becomes 65504, NaN 0.
+/// The value as a half float, rounded to nearest even. Magnitudes above 65504 become 65504, NaN becomes 0.
 inline std::uint16_t to_half(float value)
 {
     const float magnitude = std::min(std::fabs(value), 65504.0f);

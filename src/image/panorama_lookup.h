@@ -1,4 +1,4 @@
-// Reading an equirectangular picture between its texels.
+// Bilinear lookups in equirectangular images.
 #pragma once
 
 #include "image/panorama_rows.h"
@@ -13,8 +13,9 @@ struct PanoramaTexel {
     int x, y;
 };
 
-/// The texel of column x and row y, which may be beyond an edge: columns go round, and beyond a pole, up to `height` rows, the
-/// picture goes on half a turn away. Of an odd number of columns half a turn is half a column less.
+/// The texel at column x and row y, which may lie outside the image: columns wrap around, and up to `height` rows
+/// beyond a pole the image continues half a turn away. With an odd number of columns, half a turn is rounded down to
+/// whole columns.
 inline PanoramaTexel texel_across(int x, int y, int width, int height)
 {
     if (y < 0 || y >= height) {
@@ -26,7 +27,7 @@ inline PanoramaTexel texel_across(int x, int y, int width, int height)
     return {x, y};
 }
 
-/// The columns on either side of u, 0 to 1: from -1 to `width`.
+/// The columns on either side of u (0 to 1). They range from -1 to `width`.
 inline Neighbours columns_around(double u, int width)
 {
     const double x = u * width - 0.5, left = std::floor(x);
@@ -34,15 +35,15 @@ inline Neighbours columns_around(double u, int width)
     return {first, first + 1, x - left};
 }
 
-/// RGB of a panorama of a size between the texels of two columns and two rows, linear along both axes. `texel(x, y)` has three
-/// values that can be indexed.
+/// RGB interpolated linearly between two columns and two rows of a panorama. `texel(x, y)` returns three values that
+/// can be indexed.
 template <class Texel>
 std::array<double, 3> bilinear(const Neighbours& columns, const Neighbours& rows, int width, int height,
                                const Texel& texel)
 {
     const auto at = [&](int x, int y) {
-        const PanoramaTexel place = texel_across(x, y, width, height);
-        return texel(place.x, place.y);
+        const PanoramaTexel inside = texel_across(x, y, width, height);
+        return texel(inside.x, inside.y);
     };
     const auto a = at(columns.first, rows.first), b = at(columns.second, rows.first);
     const auto c = at(columns.first, rows.second), d = at(columns.second, rows.second);

@@ -7,8 +7,9 @@
 namespace lambent::image {
 namespace {
 
-// How far above `angle` the row before is, so that the mean of the cosine between the two is `edge`: that of the angle where
-// their texels meet. Then the rows above that edge give as much light as their texels, and so does each alone.
+// Angle between the row at `angle` and the row above it, by Newton's method from `usual`, such that the mean cosine
+// between them is `edge`, the cosine of the angle where their texels meet. All rows above that edge then contribute as
+// much light as their texels, and hence each single row does.
 double step_up(double angle, double edge, double usual)
 {
     double step = usual;
@@ -24,7 +25,7 @@ double step_up(double angle, double edge, double usual)
 std::vector<double> row_angles(int height)
 {
     const double row = std::numbers::pi / height;
-    const int middle = height / 2; // of an even number the one below the horizon
+    const int middle = height / 2; // the row at the horizon, or just below it if their number is even
     std::vector<double> angles(static_cast<std::size_t>(height));
     double angle = height % 2 == 1 ? 0.5 * std::numbers::pi : 0.5 * std::numbers::pi + 0.5 * row;
     for (int y = middle; y >= 0; --y) {
@@ -42,12 +43,12 @@ double texel_solid_angle(int width, int height, int y)
     return 2.0 * std::numbers::pi / width * (std::cos(y * step) - std::cos((y + 1) * step));
 }
 
-PanoramaRows::PanoramaRows(int height) : height_(height), places_(row_angles(height))
+PanoramaRows::PanoramaRows(int height) : height_(height), positions_(row_angles(height))
 {
-    for (double& place : places_)
-        place /= std::numbers::pi;
-    places_.insert(places_.begin(), -places_.front());
-    places_.push_back(2.0 - places_.back());
+    for (double& position : positions_)
+        position /= std::numbers::pi;
+    positions_.insert(positions_.begin(), -positions_.front());
+    positions_.push_back(2.0 - positions_.back());
 }
 
 } // namespace lambent::image

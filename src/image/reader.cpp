@@ -9,11 +9,11 @@
 namespace lambent::image {
 namespace {
 
-// Read at a time by read_all_rows.
+// Pixels that read_all_rows reads at a time.
 constexpr int band_pixels = 1 << 19;
 
-// Most of the time of a fast load goes into the system's clearing of fresh pages, one by one. Only advice:
-// nothing is lost when it is not taken.
+// Asks for huge pages, because zeroing new small pages takes most of the time of a fast load. This is only
+// advice: a system may ignore it.
 void ask_for_huge_pages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes)
 {
 #ifdef MADV_HUGEPAGE
@@ -34,7 +34,7 @@ RadianceImage read_all_rows(RadianceReader& reader)
     const std::size_t row = static_cast<std::size_t>(image.width) * 3;
     image.values.reserve(row * static_cast<std::size_t>(image.height));
     ask_for_huge_pages(image.values.data(), image.values.capacity() * sizeof(float));
-    // Memory is taken as the rows prove to be there, and while they are still in the cache.
+    // The vector grows with the rows that the file really has; each band is decoded while its pages are in the cache.
     const int most = std::max(1, band_pixels / image.width);
     for (int y = 0; y < image.height; y += most) {
         const int count = std::min(most, image.height - y);

@@ -1,4 +1,4 @@
-// What the readers of all formats give.
+// The interface of the readers of all formats.
 #pragma once
 
 #include "base/error.h"
@@ -8,12 +8,12 @@
 
 namespace lambent::image {
 
-/// How an OpenEXR file says that its pixels are directions, in its attribute `envmap`.
+/// Mapping from pixels to directions, as given by the attribute `envmap` of OpenEXR files.
 enum class Projection { unknown, latitude_longitude, cube };
 
-/// Row by row access to a Radiance .hdr or OpenEXR file, so that a 16384x8192 panorama never has to exist as
-/// floats. Rows come top to bottom, whatever the order in the file. Values are as stored: NaN and infinity
-/// included.
+/// Reads a Radiance .hdr or OpenEXR file row by row, so that a 16384x8192 panorama never has to be in memory as
+/// floats. Rows come from top to bottom, whatever their order in the file. Values are as stored, NaN and
+/// infinity included.
 class RadianceReader {
 public:
     virtual ~RadianceReader() = default;
@@ -22,12 +22,12 @@ public:
     int height() const { return height_; }
     Projection projection() const { return projection_; }
 
-    /// What had to be assumed, for the user to know: whole lines with the file's name.
+    /// Assumptions that the user should know of, one line each with the file's name.
     const Warnings& warnings() const { return warnings_; }
 
-    /// The next `count` rows as interleaved RGB, width() * count * 3 floats. `count` at most the rows left.
-    /// Calls for many rows are spread over threads: ask for 256 at a time where speed matters.
-    /// Throws Error(bad_input) where the file ends early or contradicts itself.
+    /// Reads the next `count` rows, at most those left, as interleaved RGB: width() * count * 3 floats. Calls
+    /// for many rows use several threads: 256 rows at a time are fast.
+    /// Throws Error(bad_input) if the file ends early or is inconsistent.
     virtual void read_rows(int count, float* rgb) = 0;
 
 protected:
@@ -37,10 +37,10 @@ protected:
     Warnings warnings_;
 };
 
-/// All rows of a reader that has given none yet.
+/// Reads all rows from a reader of which none has been read.
 RadianceImage read_all_rows(RadianceReader& reader);
 
-/// What is in an image file, without decoding its pixels.
+/// Format and size of an image file, found without decoding its pixels.
 struct ImageInfo {
     std::string format; ///< "Radiance HDR", "OpenEXR", "PNG" or "JPEG"
     std::string detail; ///< compression, channels, bits, orientation: one short phrase

@@ -1,4 +1,4 @@
-// How this folder says no, and the sizes it says no to.
+// Errors of the image readers, and the limits on the size of images.
 #pragma once
 
 #include "base/error.h"
@@ -17,15 +17,15 @@ template <class... Parts>
     throw Error(Failure::bad_input, text(name, ": ", parts...));
 }
 
-/// Largest width and height, and most pixels, of any image read or written.
+/// Largest width, height and number of pixels of images read or written.
 inline constexpr std::int64_t max_side = 65536;
 inline constexpr std::int64_t max_pixels = std::int64_t{1} << 28;
 
-/// Refuses a width and height that are not positive or go beyond the limits above.
+/// Refuses a width and height that are not positive or exceed the limits above.
 void check_size(const std::string& name, std::int64_t width, std::int64_t height);
 
-/// Bytes of a file made fit for one line of a message: anything but printable ASCII becomes '?', and what
-/// goes beyond `longest` characters is cut.
+/// Bytes of a file for use in a message: everything but printable ASCII becomes '?', and text beyond `longest`
+/// characters is cut off.
 std::string printable(std::string_view bytes, std::size_t longest = 60);
 
 } // namespace lambent::image

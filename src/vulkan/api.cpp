@@ -6,7 +6,7 @@ namespace lambent::vulkan {
 
 void load_library()
 {
-    static const VkResult result = volkInitialize(); // never closed: drivers do not survive that
+    static const VkResult result = volkInitialize(); // never unloaded: some drivers crash when they are
     if (result != VK_SUCCESS)
         throw NoSuchDevice("Vulkan: there is no library libvulkan.so.1");
     if (volkGetInstanceVersion() < VK_API_VERSION_1_3)
@@ -37,7 +37,7 @@ const char* meaning(VkResult result)
     case VK_ERROR_TOO_MANY_OBJECTS:
         return "too many objects";
     case VK_TIMEOUT:
-        return "it takes too long";
+        return "it took too long";
     default:
         return "it failed";
     }

@@ -1,4 +1,4 @@
-// Vulkan's functions, found at run time by volk: a program that has this starts where there is no Vulkan library.
+// Vulkan's functions, loaded at run time by volk, so that programs start on systems without a Vulkan library.
 #pragma once
 
 #include "base/error.h"
@@ -9,22 +9,22 @@
 
 namespace lambent::vulkan {
 
-/// There is no library, no driver or no device that will do: nothing has gone wrong.
+/// The system has no Vulkan library, no driver or no suitable device. This is not a malfunction.
 class NoSuchDevice : public Error {
 public:
     explicit NoSuchDevice(const std::string& line) : Error(Failure::no_device, line) {}
 };
 
-/// Opens the Vulkan library, once for the whole program. Throws NoSuchDevice where there is none, or an old one.
+/// Loads the Vulkan library, once per process. Throws NoSuchDevice if there is none or it is older than 1.3.
 void load_library();
 
-/// Throws Error(no_device) with one line that says what was being done and why it failed, unless it went well.
+/// Throws Error(no_device) unless `result` is VK_SUCCESS, with one line that names the operation and the reason.
 void check(VkResult result, const std::string& doing);
 
-/// What a result means, for people: "out of device memory".
+/// A result in words, for messages: "out of device memory".
 const char* meaning(VkResult result);
 
-/// A structure of Vulkan's with its type set and everything else zero.
+/// A Vulkan structure with its type set and everything else zero.
 template <class Structure>
 Structure typed(VkStructureType type)
 {

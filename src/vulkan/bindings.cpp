@@ -19,10 +19,10 @@ bool fits(Binding binding, const Resource& resource)
         return false;
     const TextureShape& shape = resource.texture->shape();
     return shape.cube == (binding == Binding::sampled_cube) &&
-           (shape.stacked > 0) == (binding == Binding::sampled_stack);
+           (shape.array_layers > 0) == (binding == Binding::sampled_array);
 }
 
-// Textures that are also drawn into stay in one layout for both.
+// A texture that is also a render target stays in the general layout, which allows both.
 VkImageLayout layout_of(const Texture& texture)
 {
     const bool drawn = (texture.shape().usage & VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT) != 0;
@@ -41,7 +41,7 @@ ShaderLayout::ShaderLayout(const Device& device, std::vector<Binding> bindings, 
     set.bindingCount = static_cast<std::uint32_t>(list.size());
     set.pBindings = list.data();
     check(device.call().vkCreateDescriptorSetLayout(device.handle(), &set, nullptr, &set_),
-          "describing a shader's bindings");
+          "creating a descriptor set layout");
     const VkPushConstantRange push = {stages, 0, push_bytes_};
     auto layout = typed<VkPipelineLayoutCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO);
     layout.setLayoutCount = 1;
@@ -51,7 +51,7 @@ ShaderLayout::ShaderLayout(const Device& device, std::vector<Binding> bindings, 
     const VkResult result = device.call().vkCreatePipelineLayout(device.handle(), &layout, nullptr, &layout_);
     if (result != VK_SUCCESS)
         release();
-    check(result, "describing a shader");
+    check(result, "creating a pipeline layout");
 }
 
 void ShaderLayout::release()
@@ -69,11 +69,11 @@ BindingSet::BindingSet(const Device& device, const ShaderLayout& layout, std::sp
     : device_(device), layout_(layout)
 {
     if (resources.size() != layout.bindings().size())
-        throw std::invalid_argument("a shader is given another number of resources than it has bindings");
+        throw std::invalid_argument("the number of resources differs from that of the bindings");
     std::vector<VkDescriptorPoolSize> sizes;
     for (std::size_t i = 0; i < resources.size(); ++i) {
         if (!fits(layout.bindings()[i], resources[i]))
-            throw std::invalid_argument("a shader is given a resource of another kind than its binding");
+            throw std::invalid_argument("the kind of a resource differs from that of its binding");
         sizes.push_back({type_of(layout.bindings()[i]), 1});
     }
     auto pool = typed<VkDescriptorPoolCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO);
@@ -81,7 +81,7 @@ BindingSet::BindingSet(const Device& device, const ShaderLayout& layout, std::sp
     pool.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
     pool.pPoolSizes = sizes.data();
     check(device.call().vkCreateDescriptorPool(device.handle(), &pool, nullptr, &pool_),
-          "making room for bindings");
+          "creating a descriptor pool");
     auto info = typed<VkDescriptorSetAllocateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO);
     info.descriptorPool = pool_;
     info.descriptorSetCount = 1;
@@ -90,7 +90,7 @@ BindingSet::BindingSet(const Device& device, const ShaderLayout& layout, std::sp
     const VkResult result = device.call().vkAllocateDescriptorSets(device.handle(), &info, &set_);
     if (result != VK_SUCCESS)
         device.call().vkDestroyDescriptorPool(device.handle(), pool_, nullptr);
-    check(result, "making bindings");
+    check(result, "allocating a descriptor set");
     fill(resources);
 }
 
@@ -121,7 +121,7 @@ BindingSet::~BindingSet()
     device_.call().vkDestroyDescriptorPool(device_.handle(), pool_, nullptr);
 }
 
-Sampler::Sampler(const Device& device, Filter filter) : device_(device)
+SamplerObject::SamplerObject(const Device& device, Filter filter) : device_(device)
 {
     const bool linear = filter != Filter::nearest;
     auto info = typed<VkSamplerCreateInfo>(VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO);
@@ -131,10 +131,10 @@ Sampler::Sampler(const Device& device, Filter filter) : device_(device)
         filter == Filter::around ? VK_SAMPLER_ADDRESS_MODE_REPEAT : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
     info.addressModeV = info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
     info.maxLod = VK_LOD_CLAMP_NONE;
-    check(device.call().vkCreateSampler(device.handle(), &info, nullptr, &sampler_), "making a sampler");
+    check(device.call().vkCreateSampler(device.handle(), &info, nullptr, &sampler_), "creating a sampler");
 }
 
-Sampler::~Sampler()
+SamplerObject::~SamplerObject()
 {
     device_.call().vkDestroySampler(device_.handle(), sampler_, nullptr);
 }

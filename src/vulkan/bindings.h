@@ -1,4 +1,4 @@
-// What shaders read and write, and what stands there.
+// Descriptors: the buffers and textures that shaders read and write.
 #pragma once
 
 #include "vulkan/memory.h"
@@ -8,13 +8,13 @@
 
 namespace lambent::vulkan {
 
-/// What stands at a binding of set 0.
-enum class Binding { storage_buffer, sampled_cube, sampled_picture, sampled_stack };
+/// Kind of the resource at a binding of set 0.
+enum class Binding { storage_buffer, sampled_cube, sampled_image, sampled_array };
 
-/// The bindings that any number of shaders share, and their push constants. The device must outlive it.
+/// Bindings and push constants shared by any number of shaders. The device must outlive it.
 class ShaderLayout {
 public:
-    /// Binding i is bindings[i]; `push_bytes` at most 128. All stages see all.
+    /// Binding i is bindings[i]; `push_bytes` is at most 128. All are visible to all stages.
     ShaderLayout(const Device& device, std::vector<Binding> bindings, std::uint32_t push_bytes);
     ~ShaderLayout();
     ShaderLayout(const ShaderLayout&) = delete;
@@ -38,17 +38,17 @@ private:
     VkPipelineLayout layout_ = VK_NULL_HANDLE;
 };
 
-/// A thing to stand at a binding: a whole buffer, or a texture with its sampler.
+/// The resource for a binding: a whole buffer, or a texture with a sampler.
 struct Resource {
     const Buffer* buffer = nullptr;
     const Texture* texture = nullptr;
     VkSampler sampler = VK_NULL_HANDLE;
 };
 
-/// The things that shaders of a layout are run with. They and the layout must outlive it.
+/// A descriptor set for a layout. The layout and the resources must outlive it.
 class BindingSet {
 public:
-    /// As many as the layout has bindings, of their kinds. Throws std::invalid_argument where not.
+    /// Throws std::invalid_argument unless there is one resource of the right kind for each of the layout's bindings.
     BindingSet(const Device& device, const ShaderLayout& layout, std::span<const Resource> resources);
     ~BindingSet();
     BindingSet(const BindingSet&) = delete;
@@ -66,19 +66,19 @@ private:
     VkDescriptorSet set_ = VK_NULL_HANDLE;
 };
 
-/// How texels are read.
+/// Filtering and addressing of a texture.
 enum class Filter {
-    clamped, ///< linear between texels and levels, cut off at the edges
+    clamped, ///< linear between texels and levels, clamped to the edges
     around,  ///< the same, but u repeats, as longitudes do
-    nearest, ///< one texel
+    nearest, ///< the nearest texel of the nearest level, clamped to the edges
 };
 
-class Sampler {
+class SamplerObject {
 public:
-    Sampler(const Device& device, Filter filter);
-    ~Sampler();
-    Sampler(const Sampler&) = delete;
-    Sampler& operator=(const Sampler&) = delete;
+    SamplerObject(const Device& device, Filter filter);
+    ~SamplerObject();
+    SamplerObject(const SamplerObject&) = delete;
+    SamplerObject& operator=(const SamplerObject&) = delete;
 
     VkSampler handle() const { return sampler_; }
 

@@ -7,7 +7,7 @@ namespace lambent::vulkan {
 namespace {
 
 constexpr std::uint64_t longest_wait =
-    60'000'000'000; // nanoseconds: a picture takes a second where all is well
+    60'000'000'000; // nanoseconds; a submission normally takes about a second
 
 VkImageMemoryBarrier2 whole(const Texture& texture)
 {
@@ -25,22 +25,23 @@ Commands::Commands(const Device& device) : device_(device)
     auto pool = typed<VkCommandPoolCreateInfo>(VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO);
     pool.queueFamilyIndex = device.queue_family();
     check(device.call().vkCreateCommandPool(device.handle(), &pool, nullptr, &pool_),
-          "making room for commands");
+          "creating a command pool");
     try {
         auto info = typed<VkCommandBufferAllocateInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO);
         info.commandPool = pool_;
         info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
         info.commandBufferCount = 1;
-        check(device.call().vkAllocateCommandBuffers(device.handle(), &info, &buffer_), "making commands");
+        check(device.call().vkAllocateCommandBuffers(device.handle(), &info, &buffer_),
+              "allocating a command buffer");
         auto begin = typed<VkCommandBufferBeginInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO);
         begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
-        check(device.call().vkBeginCommandBuffer(buffer_, &begin), "beginning commands");
+        check(device.call().vkBeginCommandBuffer(buffer_, &begin), "beginning a command buffer");
         if (device.timestamp_period() > 0.0) {
             auto clock = typed<VkQueryPoolCreateInfo>(VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO);
             clock.queryType = VK_QUERY_TYPE_TIMESTAMP;
             clock.queryCount = most_laps + 1;
             check(device.call().vkCreateQueryPool(device.handle(), &clock, nullptr, &clock_),
-                  "making a clock");
+                  "creating timestamp queries");
             device.call().vkCmdResetQueryPool(buffer_, clock_, 0, most_laps + 1);
         }
     } catch (...) {
@@ -55,8 +56,8 @@ Commands::~Commands()
     device_.call().vkDestroyCommandPool(device_.handle(), pool_, nullptr);
 }
 
-// Everything before is done and seen by everything after. The work here is a chain of large steps that need each other:
-// finer barriers would win nothing.
+// Makes all writes before it visible to all commands after it. The commands form a chain of large, dependent steps, so
+// that finer barriers would gain nothing.
 void Commands::barrier() const
 {
     auto memory = typed<VkMemoryBarrier2>(VK_STRUCTURE_TYPE_MEMORY_BARRIER_2);
@@ -80,7 +81,7 @@ void Commands::bind(VkPipelineBindPoint point, const Pipeline& pipeline, const B
 {
     const ShaderLayout& layout = set.layout();
     if (push.size() != layout.push_bytes())
-        throw std::invalid_argument("a shader is given another number of constants than it takes");
+        throw std::invalid_argument("the size of the push constants differs from that of the layout");
     const VolkDeviceTable& call = device_.call();
     const VkDescriptorSet handle = set.handle();
     call.vkCmdBindPipeline(buffer_, point, pipeline.handle());
@@ -217,7 +218,7 @@ void Commands::fill(const Texture& texture, const Buffer& from, std::span<const 
 void Commands::lap(const std::string& name)
 {
     if (names_.size() >= most_laps)
-        throw std::length_error("more passes than the clock has room for");
+        throw std::length_error("more timed passes than timestamps");
     stamp(static_cast<std::uint32_t>(names_.size()));
     names_.push_back(name);
 }
@@ -226,10 +227,10 @@ void Commands::run()
 {
     const VolkDeviceTable& call = device_.call();
     stamp(static_cast<std::uint32_t>(names_.size()));
-    check(call.vkEndCommandBuffer(buffer_), "ending commands");
+    check(call.vkEndCommandBuffer(buffer_), "ending a command buffer");
     auto info = typed<VkFenceCreateInfo>(VK_STRUCTURE_TYPE_FENCE_CREATE_INFO);
     VkFence fence = VK_NULL_HANDLE;
-    check(call.vkCreateFence(device_.handle(), &info, nullptr, &fence), "making a fence");
+    check(call.vkCreateFence(device_.handle(), &info, nullptr, &fence), "creating a fence");
     auto commands = typed<VkCommandBufferSubmitInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO);
     commands.commandBuffer = buffer_;
     auto submit = typed<VkSubmitInfo2>(VK_STRUCTURE_TYPE_SUBMIT_INFO_2);
@@ -238,10 +239,10 @@ void Commands::run()
     VkResult result = call.vkQueueSubmit2(device_.queue(), 1, &submit, fence);
     if (result == VK_SUCCESS)
         result = call.vkWaitForFences(device_.handle(), 1, &fence, VK_TRUE, longest_wait);
-    if (result == VK_TIMEOUT) // what still runs must not lose its memory
+    if (result == VK_TIMEOUT) // memory must not be freed under commands that still run
         call.vkDeviceWaitIdle(device_.handle());
     call.vkDestroyFence(device_.handle(), fence, nullptr);
-    check(result, "working on " + device_.name());
+    check(result, "running commands on " + device_.name());
     if (clock_ == VK_NULL_HANDLE)
         return;
     stamps_.resize(names_.size() + 1);
@@ -249,7 +250,7 @@ void Commands::run()
                                      stamps_.size() * sizeof(std::uint64_t), stamps_.data(),
                                      sizeof(std::uint64_t),
                                      VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT),
-          "reading the clock");
+          "reading timestamps");
 }
 
 std::vector<std::pair<std::string, double>> Commands::laps() const

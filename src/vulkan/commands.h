@@ -1,4 +1,4 @@
-// Work for a device: recorded, handed over, waited for, timed.
+// Commands for a device: recorded, submitted, waited for and timed.
 #pragma once
 
 #include "vulkan/pipelines.h"
@@ -10,18 +10,18 @@
 
 namespace lambent::vulkan {
 
-/// Groups of a dispatch along three axes.
+/// Number of workgroups of a dispatch along each axis.
 struct Groups {
     std::uint32_t x = 1, y = 1, z = 1;
 };
 
-/// Three numbers of groups in a buffer.
+/// Position in a buffer of a VkDispatchIndirectCommand.
 struct IndirectGroups {
     const Buffer& buffer;
     VkDeviceSize offset;
 };
 
-/// Draws out of one buffer of VkDrawIndexedIndirectCommand, all culled alike.
+/// Draws `first` to `first` + `count` - 1 of a buffer of VkDrawIndexedIndirectCommand, with the same culling.
 struct DrawBatch {
     const Buffer* draws;
     std::uint32_t first = 0, count = 0;
@@ -29,24 +29,24 @@ struct DrawBatch {
     VkFrontFace front = VK_FRONT_FACE_COUNTER_CLOCKWISE;
 };
 
-/// What is drawn, with what, and where to.
+/// Pipeline, geometry and attachments of draws.
 struct RasterTarget {
     const RasterPipeline& pipeline;
-    const Buffer &vertices, &indices; ///< indices of 32 bits
+    const Buffer &vertices, &indices; ///< indices have 32 bits
     const Texture &color, &depth;
-    std::uint32_t layer = 0;     ///< of color
-    std::uint32_t width, height; ///< from the top left corner
+    std::uint32_t layer = 0;     ///< of `color`
+    std::uint32_t width, height; ///< of the area drawn, from the top left corner
     std::uint32_t clear = 0;
 };
 
-/// A place of the picture's data in a buffer, for copies.
+/// Position of a texture level's texels in a buffer, for copies.
 struct LevelBytes {
     std::uint32_t level = 0;
     VkDeviceSize offset = 0; ///< of the level's first layer; the others follow without gaps
 };
 
-/// One piece of work: commands in order, each seeing all that those before it have written. What is named in it must
-/// live until run() is over.
+/// A command buffer whose commands run in order, each seeing all writes of those before it. The resources that it uses
+/// must live until run() returns.
 class Commands {
 public:
     explicit Commands(const Device& device);
@@ -54,15 +54,15 @@ public:
     Commands(const Commands&) = delete;
     Commands& operator=(const Commands&) = delete;
 
-    /// Pipelines must be of the set's layout; `push`: as many bytes as it says.
+    /// The pipeline must have the set's layout, and `push` as many bytes as that layout's push constants.
     void dispatch(const ComputePipeline& pipeline, const BindingSet& set, std::span<const std::byte> push,
                   const Groups& groups);
 
-    /// With as many groups as three numbers in `arguments` say when it comes to it.
+    /// The same with the number of workgroups read from a buffer when the command runs.
     void dispatch_indirect(const ComputePipeline& pipeline, const BindingSet& set,
                            std::span<const std::byte> push, const IndirectGroups& arguments);
 
-    /// Draws into one layer of `target.color`, first cleared to `clear` in all channels, with depth 0.
+    /// Clears one layer of `target.color` to `target.clear` in all channels and the depth to 0, then draws into them.
     void draw(const RasterTarget& target, const BindingSet& set, std::span<const std::byte> push,
               std::span<const DrawBatch> batches);
 
@@ -71,22 +71,23 @@ public:
     /// Sets every four bytes of a buffer to `value`.
     void fill(const Buffer& buffer, std::uint32_t value);
 
-    /// Writes a few bytes, at most 65536, into a buffer; multiples of four.
+    /// Writes at most 65536 bytes into a buffer; their number and the offset are multiples of four.
     void write(const Buffer& buffer, std::span<const std::byte> bytes, VkDeviceSize offset = 0);
 
-    /// A texture that was never used and that is to be drawn into; what it holds is undefined.
+    /// Prepares an unused texture as a render target; its content becomes undefined.
     void prepare(const Texture& texture);
 
-    /// Fills a texture that was never used; afterwards shaders can read it.
+    /// Fills an unused texture; afterwards shaders can read it.
     void fill(const Texture& texture, const Buffer& from, std::span<const LevelBytes> levels);
 
-    /// From here to the next lap, or to the end, is one pass of this name; at most 63.
+    /// Begins a timed pass with this name, which ends at the next lap() or with the commands. Throws std::length_error
+    /// for more than 63.
     void lap(const std::string& name);
 
-    /// Hands everything over, waits, and may be called once. Throws Error(no_device).
+    /// Submits the commands and waits until they are done. May be called once. Throws Error(no_device).
     void run();
 
-    /// After run(): passes and the milliseconds that the device took for each; 0 where it has no clock.
+    /// After run(): the passes and the milliseconds that each took on the device; 0 on a device without timestamps.
     std::vector<std::pair<std::string, double>> laps() const;
 
 private:

@@ -38,7 +38,7 @@ Device::Device(const Instance&, const Candidate& candidate) : candidate_(candida
     Features features;
     features.newest.dynamicRendering = features.newest.synchronization2 = VK_TRUE;
     features.newer.bufferDeviceAddress = VK_TRUE;
-    // A fragment's number of triangle comes with geometry shaders.
+    // Fragment shaders need the geometry shader feature to read gl_PrimitiveID.
     features.all.features.geometryShader = features.all.features.multiDrawIndirect =
         features.all.features.drawIndirectFirstInstance = VK_TRUE;
     auto info = typed<VkDeviceCreateInfo>(VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO);
@@ -52,18 +52,19 @@ Device::Device(const Instance&, const Candidate& candidate) : candidate_(candida
 
 Device::~Device()
 {
-    table_.vkDeviceWaitIdle(device_); // a lost device says so here, to nobody
+    table_.vkDeviceWaitIdle(device_); // the error of a lost device is ignored
     table_.vkDestroyDevice(device_, nullptr);
 }
 
 std::uint32_t Device::memory_type(std::uint32_t allowed, VkMemoryPropertyFlags needed,
-                                  VkMemoryPropertyFlags liked) const
+                                  VkMemoryPropertyFlags preferred) const
 {
-    for (const VkMemoryPropertyFlags wanted : {needed | liked, needed})
+    for (const VkMemoryPropertyFlags wanted : {needed | preferred, needed})
         for (std::uint32_t i = 0; i < memory_.memoryTypeCount; ++i)
             if ((allowed & (1u << i)) != 0 && (memory_.memoryTypes[i].propertyFlags & wanted) == wanted)
                 return i;
-    throw Error(Failure::no_device, text("Vulkan: ", candidate_.name, " has no memory of the kind needed"));
+    throw Error(Failure::no_device,
+                text("Vulkan: ", candidate_.name, " has no memory with the needed properties"));
 }
 
 } // namespace lambent::vulkan

@@ -1,4 +1,4 @@
-// One device with one queue, and what is asked of its memory.
+// A logical device with one queue.
 #pragma once
 
 #include "vulkan/instance.h"
@@ -7,7 +7,7 @@
 
 namespace lambent::vulkan {
 
-/// Used by one thread at a time.
+/// May be used by one thread at a time.
 class Device {
 public:
     /// The instance must outlive it. Throws Error(no_device).
@@ -19,20 +19,20 @@ public:
     VkDevice handle() const { return device_; }
     VkQueue queue() const { return queue_; }
     std::uint32_t queue_family() const { return family_; }
-    const VolkDeviceTable& call() const { return table_; } ///< functions of this device, without detours
+    const VolkDeviceTable& call() const { return table_; } ///< the device's own functions
     const std::string& name() const { return candidate_.name; }
     bool is_software() const { return candidate_.software; }
     VkDeviceSize own_memory() const { return candidate_.memory; } ///< bytes
     const VkPhysicalDeviceProperties& properties() const { return properties_; }
     VkPhysicalDevice physical() const { return candidate_.device; }
 
-    /// Nanoseconds of one step of a timestamp; 0 where the queue has none.
+    /// Nanoseconds per step of a timestamp; 0 if the queue has no timestamps.
     double timestamp_period() const { return timestamp_period_; }
 
-    /// Index of a memory type out of `allowed` (bits) with all `needed` properties, one with the `liked` ones before
-    /// others. Throws Error(no_device) where there is none.
+    /// Index of a memory type among the bits of `allowed` with all `needed` properties, preferably also with the
+    /// `preferred` ones. Throws Error(no_device) if there is none.
     std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags needed,
-                              VkMemoryPropertyFlags liked) const;
+                              VkMemoryPropertyFlags preferred) const;
 
 private:
     void find_queue_family();

@@ -12,12 +12,12 @@ bool may_have_hardware(const std::filesystem::path& devices)
 #ifdef __linux__
     namespace fs = std::filesystem;
     std::error_code error;
-    // NVIDIA's own driver; Windows' devices under WSL; Adreno and Mali without the kernel's common interface.
+    // Device nodes of NVIDIA's driver, of Windows' devices under WSL, and of Adreno and Mali drivers without DRM.
     constexpr std::array own_nodes = {"nvidiactl", "dxg", "kgsl-3d0", "mali0"};
     if (std::any_of(own_nodes.begin(), own_nodes.end(),
                     [&](const char* name) { return fs::exists(devices / name, error); }))
         return true;
-    // The kernel's: a card that only shows pictures has no node to render by.
+    // Render nodes of DRM; a card that can only drive a display has none.
     for (const fs::directory_entry& node : fs::directory_iterator(devices / "dri", error))
         if (node.path().filename().string().starts_with("renderD"))
             return true;

@@ -1,12 +1,12 @@
-// Whether it is worth asking Vulkan for hardware at all.
+// A cheap test for graphics hardware, made before Vulkan is loaded.
 #pragma once
 
 #include <filesystem>
 
 namespace lambent::vulkan {
 
-/// Whether the system shows a graphics device to programs. Asking Vulkan instead loads every driver there is, software
-/// ones with their compilers too, which costs more than a small picture. True where that cannot be told.
+/// Whether the system offers a graphics device to programs; true if unknown. Asking Vulkan loads every installed
+/// driver, software ones with their compilers included, which takes longer than drawing a small image.
 bool may_have_hardware(const std::filesystem::path& devices = "/dev");
 
 } // namespace lambent::vulkan

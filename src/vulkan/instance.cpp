@@ -30,12 +30,12 @@ bool has_validation()
     });
 }
 
-VKAPI_ATTR VkBool32 VKAPI_CALL take_complaint(VkDebugUtilsMessageSeverityFlagBitsEXT,
-                                              VkDebugUtilsMessageTypeFlagsEXT,
-                                              const VkDebugUtilsMessengerCallbackDataEXT* message,
-                                              void* complaints)
+VKAPI_ATTR VkBool32 VKAPI_CALL take_message(VkDebugUtilsMessageSeverityFlagBitsEXT,
+                                            VkDebugUtilsMessageTypeFlagsEXT,
+                                            const VkDebugUtilsMessengerCallbackDataEXT* message,
+                                            void* messages)
 {
-    static_cast<Complaints*>(complaints)->add(message->pMessage);
+    static_cast<ValidationMessages*>(messages)->add(message->pMessage);
     return VK_FALSE;
 }
 
@@ -86,20 +86,20 @@ Candidate candidate_of(VkPhysicalDevice device)
     else if (!has_queue(device))
         candidate.lacks = "a queue for graphics and compute";
     else if (!has_features(device))
-        candidate.lacks = "a feature (addresses of buffers, indirect draws or numbers of triangles)";
+        candidate.lacks = "a feature (buffer addresses, indirect draws or geometry shaders)";
     candidate.fit = candidate.lacks.empty();
     return candidate;
 }
 
 } // namespace
 
-void Complaints::add(const char* message)
+void ValidationMessages::add(const char* message)
 {
     const std::lock_guard lock(mutex_);
     messages_.emplace_back(message);
 }
 
-std::vector<std::string> Complaints::all() const
+std::vector<std::string> ValidationMessages::all() const
 {
     const std::lock_guard lock(mutex_);
     return messages_;
@@ -114,8 +114,8 @@ Instance::Instance(bool validation)
     auto info = typed<VkInstanceCreateInfo>(VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO);
     info.pApplicationInfo = &application;
     const char* extension = VK_EXT_DEBUG_UTILS_EXTENSION_NAME;
-    const bool watched = validation && has_validation();
-    if (watched) {
+    const bool validated = validation && has_validation();
+    if (validated) {
         info.enabledLayerCount = info.enabledExtensionCount = 1;
         info.ppEnabledLayerNames = &validation_layer;
         info.ppEnabledExtensionNames = &extension;
@@ -123,10 +123,10 @@ Instance::Instance(bool validation)
     const VkResult started = vkCreateInstance(&info, nullptr, &instance_);
     if (started == VK_ERROR_INCOMPATIBLE_DRIVER)
         throw NoSuchDevice(text("Vulkan: ", meaning(started)));
-    check(started, "starting");
+    check(started, "creating an instance");
     volkLoadInstanceOnly(instance_);
-    if (watched)
-        watch();
+    if (validated)
+        receive_messages();
 }
 
 Instance::~Instance()
@@ -136,7 +136,7 @@ Instance::~Instance()
     vkDestroyInstance(instance_, nullptr);
 }
 
-void Instance::watch()
+void Instance::receive_messages()
 {
     auto info =
         typed<VkDebugUtilsMessengerCreateInfoEXT>(VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT);
@@ -144,10 +144,10 @@ void Instance::watch()
         VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
     info.messageType =
         VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
-    info.pfnUserCallback = take_complaint;
-    info.pUserData = &complaints_;
+    info.pfnUserCallback = take_message;
+    info.pUserData = &messages_;
     if (vkCreateDebugUtilsMessengerEXT(instance_, &info, nullptr, &messenger_) != VK_SUCCESS)
-        messenger_ = VK_NULL_HANDLE; // unwatched is no reason not to draw
+        messenger_ = VK_NULL_HANDLE; // goes on without validation
 }
 
 std::vector<Candidate> Instance::devices() const
@@ -178,13 +178,13 @@ Candidate choose(const std::vector<Candidate>& devices, Choice choice)
             why += text("; ", device.name, device.fit ? " is software" : text(" lacks ", device.lacks));
     }
     if (!best)
-        throw NoSuchDevice(text("Vulkan: there is no device that will do", why));
+        throw NoSuchDevice(text("Vulkan: there is no suitable device", why));
     return *best;
 }
 
-void Instance::require_silence() const
+void Instance::require_no_validation_messages() const
 {
-    if (const std::vector<std::string> all = complaints(); !all.empty())
+    if (const std::vector<std::string> all = validation_messages(); !all.empty())
         throw Error(Failure::no_device, text("Vulkan's validation layer: ", all.front()));
 }
 

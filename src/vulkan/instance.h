@@ -1,4 +1,4 @@
-// The Vulkan library at work, and which devices it knows.
+// The Vulkan instance and its physical devices.
 #pragma once
 
 #include "vulkan/api.h"
@@ -10,8 +10,8 @@
 
 namespace lambent::vulkan {
 
-/// What the validation layer has said, from any thread.
-class Complaints {
+/// Collects the messages of the validation layer from all threads.
+class ValidationMessages {
 public:
     void add(const char* message);
     std::vector<std::string> all() const;
@@ -21,7 +21,7 @@ private:
     std::vector<std::string> messages_;
 };
 
-/// What a device can do, or is to do, in Vulkan's own three lists.
+/// Features that a device has, or that are to be enabled, in Vulkan's three structures.
 struct Features {
     VkPhysicalDeviceFeatures2 all =
         typed<VkPhysicalDeviceFeatures2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2);
@@ -30,25 +30,24 @@ struct Features {
     VkPhysicalDeviceVulkan13Features newest =
         typed<VkPhysicalDeviceVulkan13Features>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES);
 
-    /// The lists, linked; valid while this stays where it is.
+    /// The structures linked by pNext; invalid once this object moves.
     VkPhysicalDeviceFeatures2* chain();
 };
 
-/// A device that could be used.
+/// A physical device that may be chosen.
 struct Candidate {
     VkPhysicalDevice device = VK_NULL_HANDLE;
     std::string name;
-    bool software = false; ///< runs on the processor (llvmpipe)
-    bool fit =
-        false; ///< Vulkan 1.3, with a queue for graphics and compute and all features that Device asks for
-    std::string lacks;       ///< where not fit: what is missing
-    VkDeviceSize memory = 0; ///< bytes of its own
+    bool software = false;   ///< runs on the CPU (llvmpipe)
+    bool fit = false;        ///< has Vulkan 1.3, a queue for graphics and compute, and the features of Device
+    std::string lacks;       ///< what is missing, if not fit
+    VkDeviceSize memory = 0; ///< bytes of its largest device-local heap
 };
 
 class Instance {
 public:
-    /// With `validation`, the Khronos validation layer watches where it is installed. Throws Error(no_device), where there
-    /// is no library or driver NoSuchDevice.
+    /// With `validation`, enables the Khronos validation layer if it is installed. Throws Error(no_device), and
+    /// NoSuchDevice if there is no library or driver.
     explicit Instance(bool validation = false);
     ~Instance();
     Instance(const Instance&) = delete;
@@ -56,30 +55,30 @@ public:
 
     VkInstance handle() const { return instance_; }
     bool validated() const { return messenger_ != VK_NULL_HANDLE; }
-    std::vector<std::string> complaints() const { return complaints_.all(); }
+    std::vector<std::string> validation_messages() const { return messages_.all(); }
 
-    /// Throws Error(no_device) with what the layer said first, if it said anything.
-    void require_silence() const;
+    /// Throws Error(no_device) with the validation layer's first message, if there is one.
+    void require_no_validation_messages() const;
 
-    /// Every device, in the library's order.
+    /// All physical devices, in Vulkan's order.
     std::vector<Candidate> devices() const;
 
 private:
-    void watch();
+    void receive_messages();
 
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
-    Complaints complaints_;
+    ValidationMessages messages_;
 };
 
 /// Which devices may be chosen.
 enum class Choice {
-    hardware, ///< `--backend auto`: only what is faster than the processor itself
-    any,      ///< `--backend vulkan`: hardware first, else software
+    hardware, ///< only hardware, which is faster than the CPU (`--backend auto`)
+    any,      ///< hardware if there is any, else software (`--backend vulkan`)
 };
 
-/// The best of the devices: discrete or otherwise with memory of its own first, the one with most memory, software last.
-/// Throws NoSuchDevice that says what there was and why it will not do.
+/// The best of the devices: hardware before software, then the one with the most memory. Throws NoSuchDevice that lists
+/// the devices and why each is unsuitable.
 Candidate choose(const std::vector<Candidate>& devices, Choice choice);
 
 } // namespace lambent::vulkan

@@ -7,17 +7,17 @@ namespace lambent::vulkan {
 namespace {
 
 struct Properties {
-    VkMemoryPropertyFlags needed, liked;
+    VkMemoryPropertyFlags needed, preferred;
 };
 
-Properties properties_of(Place place)
+Properties properties_of(MemoryKind kind)
 {
     constexpr VkMemoryPropertyFlags shared =
         VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
-    switch (place) {
-    case Place::upload:
+    switch (kind) {
+    case MemoryKind::upload:
         return {shared, 0};
-    case Place::readback: // uncached memory is read a hundred times slower
+    case MemoryKind::readback: // uncached memory is read a hundred times slower
         return {shared, VK_MEMORY_PROPERTY_HOST_CACHED_BIT};
     default:
         return {VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0};
@@ -32,16 +32,16 @@ VkDeviceMemory allocate(const Device& device, const VkMemoryRequirements& needs,
     auto info = typed<VkMemoryAllocateInfo>(VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO);
     info.pNext = with_address ? &flags : nullptr;
     info.allocationSize = needs.size;
-    info.memoryTypeIndex = device.memory_type(needs.memoryTypeBits, properties.needed, properties.liked);
+    info.memoryTypeIndex = device.memory_type(needs.memoryTypeBits, properties.needed, properties.preferred);
     VkDeviceMemory memory = VK_NULL_HANDLE;
     check(device.call().vkAllocateMemory(device.handle(), &info, nullptr, &memory),
-          text("taking ", needs.size >> 20, " MiB on ", device.name()));
+          text("allocating ", needs.size >> 20, " MiB on ", device.name()));
     return memory;
 }
 
 } // namespace
 
-Buffer::Buffer(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage, Place place)
+Buffer::Buffer(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage, MemoryKind kind)
     : device_(&device), bytes_(bytes)
 {
     try {
@@ -49,16 +49,16 @@ Buffer::Buffer(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usag
         info.size = bytes;
         info.usage = usage;
         check(device.call().vkCreateBuffer(device.handle(), &info, nullptr, &buffer_),
-              text("making a buffer of ", bytes, " bytes"));
+              text("creating a buffer of ", bytes, " bytes"));
         VkMemoryRequirements needs;
         device.call().vkGetBufferMemoryRequirements(device.handle(), buffer_, &needs);
-        memory_ = allocate(device, needs, properties_of(place),
+        memory_ = allocate(device, needs, properties_of(kind),
                            (usage & VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT) != 0);
         check(device.call().vkBindBufferMemory(device.handle(), buffer_, memory_, 0),
-              "giving a buffer its memory");
-        if (place != Place::device)
+              "binding the memory of a buffer");
+        if (kind != MemoryKind::device)
             check(device.call().vkMapMemory(device.handle(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped_),
-                  "reaching a buffer's memory");
+                  "mapping the memory of a buffer");
     } catch (...) {
         release();
         throw;
@@ -91,7 +91,8 @@ Texture::Texture(const Device& device, const TextureShape& shape) : device_(&dev
         VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
     try {
         make_image();
-        const VkImageViewType flat = shape.stacked > 0 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
+        const VkImageViewType flat =
+            shape.array_layers > 0 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D;
         view_ = make_view(shape.cube ? VK_IMAGE_VIEW_TYPE_CUBE : flat, 0, layers());
         for (std::uint32_t layer = 0; (shape.usage & drawn) != 0 && layer < layers(); ++layer)
             layer_views_.push_back(make_view(VK_IMAGE_VIEW_TYPE_2D, layer, 1));
@@ -106,8 +107,8 @@ void Texture::make_image()
     const VkPhysicalDeviceLimits& limits = device_->properties().limits;
     const std::uint32_t most = shape_.cube ? limits.maxImageDimensionCube : limits.maxImageDimension2D;
     if (shape_.width > most || shape_.height > most)
-        throw Error(Failure::no_device, text("Vulkan: ", device_->name(), " has no pictures of ",
-                                             shape_.width, "x", shape_.height, " texels, only up to ", most));
+        throw Error(Failure::no_device, text("Vulkan: ", device_->name(), " has no images of ", shape_.width,
+                                             "x", shape_.height, " texels, only up to ", most));
     auto info = typed<VkImageCreateInfo>(VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO);
     if (shape_.cube)
         info.flags = VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT;
@@ -119,12 +120,12 @@ void Texture::make_image()
     info.samples = VK_SAMPLE_COUNT_1_BIT;
     info.tiling = VK_IMAGE_TILING_OPTIMAL;
     info.usage = shape_.usage;
-    check(device_->call().vkCreateImage(device_->handle(), &info, nullptr, &image_), "making a picture");
+    check(device_->call().vkCreateImage(device_->handle(), &info, nullptr, &image_), "creating an image");
     VkMemoryRequirements needs;
     device_->call().vkGetImageMemoryRequirements(device_->handle(), image_, &needs);
-    memory_ = allocate(*device_, needs, properties_of(Place::device));
+    memory_ = allocate(*device_, needs, properties_of(MemoryKind::device));
     check(device_->call().vkBindImageMemory(device_->handle(), image_, memory_, 0),
-          "giving a picture its memory");
+          "binding the memory of an image");
 }
 
 VkImageAspectFlags Texture::aspect() const
@@ -141,7 +142,7 @@ VkImageView Texture::make_view(VkImageViewType type, std::uint32_t first_layer, 
     info.subresourceRange = {aspect(), 0, shape_.levels, first_layer, count};
     VkImageView view = VK_NULL_HANDLE;
     check(device_->call().vkCreateImageView(device_->handle(), &info, nullptr, &view),
-          "making a view of a picture");
+          "creating an image view");
     return view;
 }
 

@@ -1,4 +1,4 @@
-// Buffers and pictures on a device. All throw Error(no_device) where memory does not suffice.
+// Buffers and textures on a device. Their constructors throw Error(no_device) when memory runs out.
 #pragma once
 
 #include "vulkan/device.h"
@@ -11,17 +11,17 @@
 
 namespace lambent::vulkan {
 
-/// Who touches a buffer's memory.
-enum class Place {
+/// The memory that a buffer is in, by who reads and writes it.
+enum class MemoryKind {
     device,   ///< only the device; filled and read by copies
-    upload,   ///< written by the processor, read by the device
-    readback, ///< written by the device, read by the processor
+    upload,   ///< written by the CPU, read by the device
+    readback, ///< written by the device, read by the CPU
 };
 
 class Buffer {
 public:
-    /// `bytes` above 0.
-    Buffer(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage, Place place);
+    /// `bytes` is greater than 0.
+    Buffer(const Device& device, VkDeviceSize bytes, VkBufferUsageFlags usage, MemoryKind kind);
     Buffer(Buffer&& other) noexcept { swap(other); }
     Buffer& operator=(Buffer&& other) noexcept
     {
@@ -33,10 +33,10 @@ public:
     VkBuffer handle() const { return buffer_; }
     VkDeviceSize bytes() const { return bytes_; }
 
-    /// Where shaders find it; only with VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT.
+    /// The address for shaders; only with VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT.
     VkDeviceAddress address() const;
 
-    /// The memory itself; not for Place::device.
+    /// The mapped memory; not for MemoryKind::device.
     std::span<std::byte> memory() const { return {static_cast<std::byte*>(mapped_), bytes_}; }
 
 private:
@@ -61,8 +61,9 @@ struct TextureShape {
     VkFormat format = VK_FORMAT_R16G16B16A16_SFLOAT;
     std::uint32_t width = 1, height = 1;
     std::uint32_t levels = 1;
-    bool cube = false;         ///< six layers, seen as a cube
-    std::uint32_t stacked = 0; ///< this many layers, seen as a stack; 0: one picture, seen as such
+    bool cube = false; ///< six layers, viewed as a cube map
+    std::uint32_t array_layers =
+        0; ///< number of layers, viewed as a 2D array; 0: one layer, viewed as a 2D image
     VkImageUsageFlags usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
 };
 
@@ -80,8 +81,8 @@ public:
     VkImage image() const { return image_; }
     VkImageView view() const { return view_; }
     const TextureShape& shape() const { return shape_; }
-    VkImageView layer_view(std::uint32_t layer) const { return layer_views_[layer]; } ///< to draw into
-    std::uint32_t layers() const { return shape_.cube ? 6 : std::max(shape_.stacked, 1u); }
+    VkImageView layer_view(std::uint32_t layer) const { return layer_views_[layer]; } ///< of a render target
+    std::uint32_t layers() const { return shape_.cube ? 6 : std::max(shape_.array_layers, 1u); }
     VkImageAspectFlags aspect() const;
 
 private:
@@ -101,7 +102,7 @@ private:
     const Device* device_ = nullptr;
     VkImage image_ = VK_NULL_HANDLE;
     VkImageView view_ = VK_NULL_HANDLE;
-    std::vector<VkImageView> layer_views_; ///< of pictures that are drawn into
+    std::vector<VkImageView> layer_views_; ///< one per layer of a render target, else empty
     VkDeviceMemory memory_ = VK_NULL_HANDLE;
     TextureShape shape_;
 };

@@ -26,7 +26,7 @@ Bytes read(const std::filesystem::path& file)
     }
 }
 
-// Drivers should look themselves; not all of them do.
+// Compares the header with the device, because not all drivers do so themselves.
 bool is_of(const VkPhysicalDeviceProperties& properties, const Bytes& bytes)
 {
     VkPipelineCacheHeaderVersionOne header;
@@ -53,7 +53,7 @@ PipelineCache::PipelineCache(const Device& device, std::filesystem::path file)
     loaded_ = !bytes.empty();
     bytes_before_ = bytes.size();
     check(device.call().vkCreatePipelineCache(device.handle(), &info, nullptr, &cache_),
-          "making a cache of shaders");
+          "creating a pipeline cache");
 }
 
 PipelineCache::~PipelineCache()
@@ -76,7 +76,7 @@ void PipelineCache::keep() const
     std::filesystem::create_directories(file_.parent_path(), ignored);
     try {
         write_file(file_, bytes);
-    } catch (const Error&) { // the next run compiles again
+    } catch (const Error&) { // harmless: the next run compiles again
     }
 }
 

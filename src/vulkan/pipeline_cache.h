@@ -1,4 +1,4 @@
-// Compiled shaders kept between runs: a driver takes long to compile and nothing to load.
+// Keeps compiled pipelines in a file between runs, because drivers compile slowly and load fast.
 #pragma once
 
 #include "vulkan/device.h"
@@ -7,11 +7,11 @@
 
 namespace lambent::vulkan {
 
-/// Pipelines compiled before, by this driver for this device. A file that is missing, broken, too large or another
-/// driver's is as good as none; one that cannot be written is not written: neither is an error.
+/// Pipelines compiled by a driver for a device. A file that is missing, broken, too large or of another driver is
+/// ignored, and so is a failure to write it.
 class PipelineCache {
 public:
-    /// An empty path: nothing is kept. The device must outlive it.
+    /// With an empty path nothing is read or written. The device must outlive the cache.
     PipelineCache(const Device& device, std::filesystem::path file);
     ~PipelineCache();
     PipelineCache(const PipelineCache&) = delete;
@@ -20,10 +20,10 @@ public:
     VkPipelineCache handle() const { return cache_; }
     const Device& device() const { return device_; }
 
-    /// Whether the file was taken.
+    /// Whether the file was used.
     bool loaded() const { return loaded_; }
 
-    /// Writes what there is now, if it has grown. Another process finds the old file or the whole new one.
+    /// Writes the file if the cache has grown. Other processes see the old file or the complete new one.
     void keep() const;
 
 private:

@@ -13,7 +13,7 @@ public:
         info.codeSize = code.size_bytes();
         info.pCode = code.data();
         check(device.call().vkCreateShaderModule(device.handle(), &info, nullptr, &module_),
-              "reading a shader");
+              "creating a shader module");
     }
     ~Module() { device_.call().vkDestroyShaderModule(device_.handle(), module_, nullptr); }
     Module(const Module&) = delete;
@@ -26,7 +26,7 @@ private:
     VkShaderModule module_ = VK_NULL_HANDLE;
 };
 
-// Keeps what Vulkan is shown of the constants.
+// The specialization constants in Vulkan's structures, which point into this object.
 struct Specialization {
     std::vector<VkSpecializationMapEntry> entries;
     VkSpecializationInfo info{};
@@ -52,8 +52,8 @@ VkPipelineShaderStageCreateInfo stage_of(VkShaderStageFlagBits stage, const Modu
     return info;
 }
 
-// The parts of a raster pipeline that are the same for all.
-struct UsualState {
+// The state that all raster pipelines share.
+struct CommonState {
     VkPipelineInputAssemblyStateCreateInfo assembly = typed<VkPipelineInputAssemblyStateCreateInfo>(
         VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO);
     VkPipelineViewportStateCreateInfo viewport =
@@ -72,7 +72,7 @@ struct UsualState {
     VkPipelineDynamicStateCreateInfo dynamic =
         typed<VkPipelineDynamicStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO);
 
-    UsualState()
+    CommonState()
     {
         assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
         viewport.viewportCount = viewport.scissorCount = 1;
@@ -88,10 +88,10 @@ struct UsualState {
         dynamic.dynamicStateCount = static_cast<std::uint32_t>(states.size());
         dynamic.pDynamicStates = states.data();
     }
-    UsualState(const UsualState&) = delete;
-    UsualState& operator=(const UsualState&) = delete;
+    CommonState(const CommonState&) = delete;
+    CommonState& operator=(const CommonState&) = delete;
 
-    void give_to(VkGraphicsPipelineCreateInfo& info) const
+    void apply_to(VkGraphicsPipelineCreateInfo& info) const
     {
         info.pInputAssemblyState = &assembly;
         info.pViewportState = &viewport;
@@ -133,23 +133,23 @@ RasterPipeline::RasterPipeline(const PipelineCache& cache, const ShaderLayout& l
     const std::array stages = {stage_of(VK_SHADER_STAGE_VERTEX_BIT, vertex, none),
                                stage_of(VK_SHADER_STAGE_FRAGMENT_BIT, fragment, constants)};
     const VkVertexInputBindingDescription stride = {0, shader.vertex_stride, VK_VERTEX_INPUT_RATE_VERTEX};
-    const VkVertexInputAttributeDescription place = {0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0};
+    const VkVertexInputAttributeDescription position = {0, 0, VK_FORMAT_R32G32B32_SFLOAT, 0};
     auto input = typed<VkPipelineVertexInputStateCreateInfo>(
         VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO);
     input.vertexBindingDescriptionCount = input.vertexAttributeDescriptionCount = 1;
     input.pVertexBindingDescriptions = &stride;
-    input.pVertexAttributeDescriptions = &place;
+    input.pVertexAttributeDescriptions = &position;
     auto target = typed<VkPipelineRenderingCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO);
     target.colorAttachmentCount = 1;
     target.pColorAttachmentFormats = &shader.color;
     target.depthAttachmentFormat = shader.depth;
-    const UsualState state;
+    const CommonState state;
     auto info = typed<VkGraphicsPipelineCreateInfo>(VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO);
     info.pNext = &target;
     info.stageCount = static_cast<std::uint32_t>(stages.size());
     info.pStages = stages.data();
     info.pVertexInputState = &input;
-    state.give_to(info);
+    state.apply_to(info);
     info.layout = layout.handle();
     check(device_.call().vkCreateGraphicsPipelines(device_.handle(), cache.handle(), 1, &info, nullptr,
                                                    &pipeline_),

@@ -1,4 +1,4 @@
-// Shaders, compiled for a device: compute, and triangles.
+// Compute and raster pipelines: shaders compiled for a device.
 #pragma once
 
 #include "vulkan/bindings.h"
@@ -15,7 +15,7 @@ using Spirv = std::span<const std::uint32_t>;
 /// Specialization constant i is constants[i].
 using Constants = std::span<const std::uint32_t>;
 
-/// Owned by whoever holds it. The device must outlive it.
+/// Owns a Vulkan pipeline. The device must outlive it.
 class Pipeline {
 public:
     Pipeline(const Pipeline&) = delete;
@@ -38,15 +38,15 @@ public:
                     Constants constants = {});
 };
 
-/// Triangles into one picture with depth. Viewport, culling and winding are left to the commands.
+/// Draws triangles into one color attachment, with depth. Viewport, culling and front face are dynamic state.
 struct RasterShader {
     Spirv vertex, fragment;
     Constants constants; ///< of the fragment shader
     VkFormat color = VK_FORMAT_UNDEFINED, depth = VK_FORMAT_UNDEFINED;
-    std::uint32_t vertex_stride = 0; ///< bytes; attribute 0 is a vec3 at the beginning
+    std::uint32_t vertex_stride = 0; ///< bytes; attribute 0 is a vec3 at the start of a vertex
 };
 
-/// What is in front has the greater depth.
+/// Depth is reversed: nearer surfaces have greater depth.
 class RasterPipeline : public Pipeline {
 public:
     /// Throws Error(no_device).

@@ -1,3 +1,3 @@
-// volk's own code, in this one file.
+// The implementation of volk, compiled in this file only.
 #define VOLK_IMPLEMENTATION
 #include <volk.h>

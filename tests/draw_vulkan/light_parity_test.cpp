@@ -163,8 +163,9 @@ private:
     void run(std::vector<float>& values, std::uint32_t count)
     {
         const std::size_t bytes = values.size() * sizeof(float);
-        const vulkan::Buffer from(device_, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, vulkan::Place::upload),
-            back(device_, bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT, vulkan::Place::readback);
+        const vulkan::Buffer from(device_, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                                  vulkan::MemoryKind::upload),
+            back(device_, bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT, vulkan::MemoryKind::readback);
         std::memcpy(from.memory().data(), values.data(), bytes);
         gpu_layout::PictureRecord record = picture_.record();
         record.fragments.x = static_cast<int>(tile_.shape().capacity);

@@ -52,14 +52,14 @@ TEST(JpegDamage, an_early_end_leaves_what_was_there)
         const CodeImage some = decode_jpeg(cut, "a.jpg", &warnings);
         ASSERT_EQ(warnings.size(), 1u);
         EXPECT_EQ(warnings[0], "a.jpg: damaged JPEG: it ends after " + std::to_string(cut.size()) +
-                                   " bytes, before its end mark");
+                                   " bytes, before its end marker");
         EXPECT_EQ(inspect_jpeg(cut, "a.jpg", &warnings).height, 64);
         EXPECT_EQ(warnings.size(), 2u);
         ASSERT_EQ(some.bytes.size(), all.bytes.size());
         if (flags == 0) { // the rows of blocks before the cut are as they were
             EXPECT_TRUE(std::equal(all.bytes.begin(), all.bytes.begin() + 64 * 8 * 4, some.bytes.begin()));
         }
-        expect_refused(decode, cut, "before its end mark");
+        expect_refused(decode, cut, "before its end marker");
     }
     // Only the end mark is missing: nothing is lost.
     Bytes open = tiny_jpeg();
@@ -82,7 +82,7 @@ TEST(JpegDamage, large_pictures_must_be_whole)
     const CodeImage large{4104, 4104, 3, 8, Bytes(std::size_t{4104} * 4104 * 3, 77)};
     Bytes file = encode_jpeg(large, {75, true});
     file.resize(file.size() * 9 / 10);
-    expect_refused(decode_all_the_same, file, "before its end mark");
+    expect_refused(decode_all_the_same, file, "before its end marker");
 }
 
 TEST(JpegDamage, scans_beyond_reason_are_refused_while_they_are_read)

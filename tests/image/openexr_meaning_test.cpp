@@ -123,7 +123,7 @@ TEST(OpenExrMeaning, chromaticities_without_sense_are_warned_of)
         EXPECT_EQ(read_exr(bytes).values, read_exr(make_exr({})).values);
         const Warnings warnings = warnings_of(bytes);
         ASSERT_EQ(warnings.size(), 1u);
-        EXPECT_EQ(warnings[0], "test.exr: its attribute chromaticities makes no sense; it is ignored");
+        EXPECT_EQ(warnings[0], "test.exr: its attribute chromaticities is invalid; it is ignored");
     }
 }
 

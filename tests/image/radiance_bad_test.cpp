@@ -75,7 +75,7 @@ TEST(RadianceBad, scanlines)
              Case{{2, 2, 0, 10, 128 + 11, 7, 0, 0}, "goes beyond its end"},
              Case{{2, 2, 0, 10, 255, 7, 0, 0}, "goes beyond its end"},
              Case{{2, 2, 0, 10, 128 + 9, 7, 2, 1, 1, 0}, "goes beyond its end"},
-             Case{{2, 2, 0, 10, 0, 0, 0, 0, 0, 0}, "packet of no bytes"},
+             Case{{2, 2, 0, 10, 0, 0, 0, 0, 0, 0}, "packet of zero bytes"},
              Case{{1, 1, 1, 5, 0, 0, 0, 0}, "before the first pixel"},
              Case{{9, 9, 200, 128, 1, 1, 1, 10}, "goes beyond its end"},
              Case{{9, 9, 200, 128, 1, 1, 1, 0, 1, 1, 1, 1}, "goes beyond its end"},

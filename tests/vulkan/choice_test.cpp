@@ -41,16 +41,15 @@ TEST(Choice, SoftwareOnlyWhenAskedFor)
 {
     const std::vector<Candidate> devices = {device("pipe", true, 64)};
     EXPECT_EQ(choose(devices, Choice::any).name, "pipe");
-    EXPECT_EQ(refusal(devices, Choice::hardware),
-              "Vulkan: there is no device that will do; pipe is software");
+    EXPECT_EQ(refusal(devices, Choice::hardware), "Vulkan: there is no suitable device; pipe is software");
 }
 
 TEST(Choice, SaysWhatEachDeviceLacks)
 {
-    EXPECT_EQ(refusal({}, Choice::any), "Vulkan: there is no device that will do");
+    EXPECT_EQ(refusal({}, Choice::any), "Vulkan: there is no suitable device");
     EXPECT_EQ(
         refusal({device("old", false, 1, "Vulkan 1.3"), device("copier", false, 1, "a queue")}, Choice::any),
-        "Vulkan: there is no device that will do; old lacks Vulkan 1.3; copier lacks a queue");
+        "Vulkan: there is no suitable device; old lacks Vulkan 1.3; copier lacks a queue");
 }
 
 TEST(Choice, FailuresOfVulkanAreOneLine)

@@ -53,7 +53,7 @@ void Compute::run(std::span<const uint32_t> spirv, std::span<std::vector<float>>
     made.reserve(buffers.size());
     for (const std::vector<float>& buffer : buffers) {
         made.emplace_back(device_, buffer.size() * sizeof(float), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
-                          vulkan::Place::readback);
+                          vulkan::MemoryKind::readback);
         std::memcpy(made.back().memory().data(), buffer.data(), made.back().bytes());
         resources.push_back({&made.back(), nullptr, VK_NULL_HANDLE});
     }

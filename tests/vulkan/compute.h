@@ -32,7 +32,7 @@ public:
     void run(std::span<const uint32_t> spirv, std::span<std::vector<float>> buffers, Groups groups);
 
     // What the validation layer said so far, warnings and errors; empty is good.
-    std::vector<std::string> complaints() const { return instance_.complaints(); }
+    std::vector<std::string> complaints() const { return instance_.validation_messages(); }
 
 private:
     Compute();

@@ -15,7 +15,7 @@ constexpr uint32_t levels_shader[] =
     ;
 
 using vulkan::Buffer;
-using vulkan::Place;
+using vulkan::MemoryKind;
 
 class OnDevice : public ::testing::Test {
 protected:
@@ -43,8 +43,9 @@ constexpr VkBufferUsageFlags copied = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFF
 TEST_F(OnDevice, BytesGoThereAndBack)
 {
     constexpr VkDeviceSize bytes = 100'000;
-    const Buffer up(device(), bytes, copied, Place::upload), there(device(), bytes, copied, Place::device),
-        back(device(), bytes, copied, Place::readback);
+    const Buffer up(device(), bytes, copied, MemoryKind::upload),
+        there(device(), bytes, copied, MemoryKind::device),
+        back(device(), bytes, copied, MemoryKind::readback);
     for (std::size_t i = 0; i < bytes; ++i)
         up.memory()[i] = static_cast<std::byte>(i * i >> 3);
     vulkan::Commands commands(device());
@@ -56,18 +57,18 @@ TEST_F(OnDevice, BytesGoThereAndBack)
 
 TEST_F(OnDevice, BuffersMove)
 {
-    Buffer a(device(), 64, copied, Place::upload);
+    Buffer a(device(), 64, copied, MemoryKind::upload);
     const VkBuffer handle = a.handle();
     Buffer b = std::move(a);
     EXPECT_EQ(b.handle(), handle);
-    b = Buffer(device(), 128, copied, Place::upload);
+    b = Buffer(device(), 128, copied, MemoryKind::upload);
     EXPECT_EQ(b.bytes(), 128u);
 }
 
 TEST_F(OnDevice, MoreMemoryThanThereIsIsOneLine)
 {
     try {
-        const Buffer huge(device(), VkDeviceSize{1} << 45, copied, Place::device);
+        const Buffer huge(device(), VkDeviceSize{1} << 45, copied, MemoryKind::device);
         ADD_FAILURE() << "32 TiB were there";
     } catch (const Error& error) {
         EXPECT_EQ(error.failure(), Failure::no_device);
@@ -94,7 +95,7 @@ TEST_F(OnDevice, CubesAreReadByDirectionAndLevel)
         for (uint32_t face = 0; face < 6; ++face)
             texels.insert(texels.end(), values, static_cast<float>(face + 10 * level));
     }
-    const Buffer up(device(), texels.size() * sizeof(float), copied, Place::upload);
+    const Buffer up(device(), texels.size() * sizeof(float), copied, MemoryKind::upload);
     std::memcpy(up.memory().data(), texels.data(), up.bytes());
     {
         vulkan::Commands commands(device());
@@ -110,8 +111,8 @@ TEST_F(OnDevice, CubesAreReadByDirectionAndLevel)
                                                          {0, 0, -1, 2},
                                                          {1, 0, 0, 0.5f}}};
     const std::array<float, 7> wanted = {0, 11, 22, 3, 14, 25, 5};
-    const Buffer in(device(), sizeof places, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Place::upload),
-        out(device(), sizeof places, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Place::readback);
+    const Buffer in(device(), sizeof places, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, MemoryKind::upload),
+        out(device(), sizeof places, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, MemoryKind::readback);
     std::memcpy(in.memory().data(), places.data(), sizeof places);
     const vulkan::PipelineCache cache(device(), {});
     using vulkan::Binding;
@@ -119,7 +120,7 @@ TEST_F(OnDevice, CubesAreReadByDirectionAndLevel)
         device(), {Binding::storage_buffer, Binding::sampled_cube, Binding::storage_buffer}, sizeof(float));
     const std::array<std::uint32_t, 1> twice = {2u};
     const vulkan::ComputePipeline pipeline(cache, layout, levels_shader, twice);
-    const vulkan::Sampler sampler(device(), vulkan::Filter::clamped);
+    const vulkan::SamplerObject sampler(device(), vulkan::Filter::clamped);
     const std::array<vulkan::Resource, 3> resources = {{{&in, nullptr, VK_NULL_HANDLE},
                                                         {nullptr, &cube, sampler.handle()},
                                                         {&out, nullptr, VK_NULL_HANDLE}}};
@@ -140,7 +141,7 @@ TEST_F(OnDevice, WrongResourcesAreRefused)
     using vulkan::Binding;
     const vulkan::ShaderLayout layout(
         device(), {Binding::storage_buffer, Binding::sampled_cube, Binding::storage_buffer}, sizeof(float));
-    const Buffer buffer(device(), 16, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Place::upload);
+    const Buffer buffer(device(), 16, VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, MemoryKind::upload);
     const std::array<vulkan::Resource, 1> few = {{{&buffer, nullptr, VK_NULL_HANDLE}}};
     EXPECT_THROW(vulkan::BindingSet(device(), layout, few), std::invalid_argument);
     const std::array<vulkan::Resource, 3> wrong = {{{&buffer, nullptr, VK_NULL_HANDLE},
@@ -152,7 +153,8 @@ TEST_F(OnDevice, WrongResourcesAreRefused)
 TEST_F(OnDevice, PassesTakeTime)
 {
     constexpr VkDeviceSize bytes = 16 << 20;
-    const Buffer from(device(), bytes, copied, Place::device), to(device(), bytes, copied, Place::device);
+    const Buffer from(device(), bytes, copied, MemoryKind::device),
+        to(device(), bytes, copied, MemoryKind::device);
     vulkan::Commands commands(device());
     commands.lap("copy");
     commands.copy(from, to, bytes);

@@ -159,8 +159,8 @@ void DevicePrefilter::fill(const std::vector<PrefilteredFaces>& faces,
     const std::size_t bytes = work.directions.size() * sizeof(vec4);
     const vulkan::Buffer results(device_, bytes,
                                  VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
-                                 vulkan::Place::device),
-        back(device_, bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT, vulkan::Place::readback);
+                                 vulkan::MemoryKind::device),
+        back(device_, bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT, vulkan::MemoryKind::readback);
     std::array<vulkan::Resource, bake_binding_count> resources{};
     resources[bake_cells].buffer = &cells;
     resources[bake_bounds].buffer = &bounds;
@@ -179,7 +179,7 @@ void DevicePrefilter::fill(const std::vector<PrefilteredFaces>& faces,
     commands.run();
     milliseconds_.push_back(commands.laps().front().second);
     cache_.keep();
-    instance_.require_silence();
+    instance_.require_no_validation_messages();
     const auto* from = reinterpret_cast<const vec4*>(back.memory().data());
     for (std::size_t i = 0; i < faces.size(); from += 64 * work.tiles[i].size(), ++i)
         take(work.tiles[i], from, faces[i]);

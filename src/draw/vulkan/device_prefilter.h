@@ -29,7 +29,7 @@ public:
     const std::vector<double>& milliseconds() const { return milliseconds_; }
 
     /// What the validation layer has said; empty is good.
-    std::vector<std::string> complaints() const { return instance_.complaints(); }
+    std::vector<std::string> complaints() const { return instance_.validation_messages(); }
 
 private:
     const vulkan::ComputePipeline& pipeline(bool phong);

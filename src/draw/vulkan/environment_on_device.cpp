@@ -56,7 +56,7 @@ void upload(const Device& device, const Texture& texture, std::uint32_t texel_by
         bytes += VkDeviceSize{texel_bytes} * std::max(shape.width >> level, 1u) *
                  std::max(shape.height >> level, 1u) * texture.layers();
     }
-    const Buffer staging(device, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, vulkan::Place::upload);
+    const Buffer staging(device, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, vulkan::MemoryKind::upload);
     std::memset(staging.memory().data(), 0, bytes);
     fill(staging.memory().data(), levels);
     vulkan::Commands commands(device);

@@ -27,7 +27,7 @@ public:
     const vulkan::Buffer& panorama(const vulkan::Device& device, const environment::Panorama& panorama);
 
 private:
-    vulkan::Sampler clamped_, around_;
+    vulkan::SamplerObject clamped_, around_;
     vulkan::Texture chain_, irradiance_, mips_;
     std::optional<vulkan::Buffer> panorama_;
 };

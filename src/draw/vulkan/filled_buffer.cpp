@@ -13,10 +13,10 @@ vulkan::Buffer filled_buffer(const vulkan::Device& device, VkBufferUsageFlags us
     for (const std::span<const std::byte>& part : parts)
         bytes += part.size();
     vulkan::Buffer buffer(device, std::max(bytes, least), usage | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                          vulkan::Place::device);
+                          vulkan::MemoryKind::device);
     if (bytes == 0)
         return buffer;
-    const vulkan::Buffer staging(device, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, vulkan::Place::upload);
+    const vulkan::Buffer staging(device, bytes, VK_BUFFER_USAGE_TRANSFER_SRC_BIT, vulkan::MemoryKind::upload);
     std::byte* to = staging.memory().data();
     for (const std::span<const std::byte>& part : parts) {
         if (!part.empty())

@@ -49,8 +49,8 @@ std::unique_ptr<vulkan::ShaderLayout> pass_layout(const vulkan::Device& device)
     using vulkan::Binding;
     std::vector<Binding> bindings(binding_count, Binding::storage_buffer);
     bindings[binding_chain] = bindings[binding_irradiance] = Binding::sampled_cube;
-    bindings[binding_mips] = Binding::sampled_picture;
-    bindings[binding_ids] = Binding::sampled_stack;
+    bindings[binding_mips] = Binding::sampled_image;
+    bindings[binding_ids] = Binding::sampled_array;
     return std::make_unique<vulkan::ShaderLayout>(device, bindings, sizeof(RasterConstants));
 }
 

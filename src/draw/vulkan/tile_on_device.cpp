@@ -7,7 +7,7 @@ namespace lambent::draw {
 namespace {
 
 using namespace gpu_layout;
-using vulkan::Place, vulkan::TextureShape;
+using vulkan::MemoryKind, vulkan::TextureShape;
 
 constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                              to = VK_BUFFER_USAGE_TRANSFER_DST_BIT, from = VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
@@ -19,7 +19,7 @@ TextureShape target(const TileShape& tile, VkFormat format, std::uint32_t layers
     shape.format = format;
     shape.width = static_cast<std::uint32_t>(tile.width + 2);
     shape.height = static_cast<std::uint32_t>(tile.height + 2);
-    shape.stacked = layers;
+    shape.array_layers = layers;
     shape.usage = usage;
     return shape;
 }
@@ -89,21 +89,21 @@ TileOnDevice::TileOnDevice(const vulkan::Device& device, const TileShape& shape)
                                          VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT)),
       depth_(device, target(shape, depth_format, 0, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT)),
       nearest_(device, vulkan::Filter::nearest),
-      values_(device, shape.capacity * column_count * sizeof(float), storage | from | to, Place::device),
-      picture_(device, sizeof(PictureRecord), storage | to, Place::device),
+      values_(device, shape.capacity * column_count * sizeof(float), storage | from | to, MemoryKind::device),
+      picture_(device, sizeof(PictureRecord), storage | to, MemoryKind::device),
       places_(device, static_cast<std::size_t>(std::max(shape.looks, 8)) * sizeof(glm::vec2), storage,
-              Place::upload),
-      seen_(device, apron_pixels(shape) * 2 * sizeof(uvec4), storage, Place::device),
-      records_(device, shape.capacity * sizeof(FragmentRecord), storage, Place::device),
-      spans_(device, shape.pixels() * sizeof(uvec4), storage, Place::device),
+              MemoryKind::upload),
+      seen_(device, apron_pixels(shape) * 2 * sizeof(uvec4), storage, MemoryKind::device),
+      records_(device, shape.capacity * sizeof(FragmentRecord), storage, MemoryKind::device),
+      spans_(device, shape.pixels() * sizeof(uvec4), storage, MemoryKind::device),
       behind_(device, shape.pixels() * static_cast<std::size_t>(shape.looks) * sizeof(vec4), storage,
-              Place::device),
+              MemoryKind::device),
       counters_(device, counter_count * sizeof(uint),
-                storage | from | to | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT, Place::device),
-      counted_(device, counter_count * sizeof(uint), to, Place::readback),
-      listed_(device, shape.pixels() * sizeof(uint), storage, Place::device),
-      output_(device, output_bytes(shape), storage | from, Place::device),
-      drawn_(device, output_bytes(shape), to, Place::readback)
+                storage | from | to | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT, MemoryKind::device),
+      counted_(device, counter_count * sizeof(uint), to, MemoryKind::readback),
+      listed_(device, shape.pixels() * sizeof(uint), storage, MemoryKind::device),
+      output_(device, output_bytes(shape), storage | from, MemoryKind::device),
+      drawn_(device, output_bytes(shape), to, MemoryKind::readback)
 {
     vulkan::Commands commands(device);
     commands.prepare(ids_);

@@ -58,7 +58,7 @@ public:
 private:
     TileShape shape_;
     vulkan::Texture ids_, depth_;
-    vulkan::Sampler nearest_;
+    vulkan::SamplerObject nearest_;
     vulkan::Buffer values_, picture_, places_, seen_, records_, spans_, behind_, counters_, counted_, listed_,
         output_, drawn_;
 };

@@ -90,7 +90,7 @@ public:
         for (const auto& lap : passes.times())
             add_lap(lap, picture.frame.passes);
         cache_.keep();
-        instance_.require_silence();
+        instance_.require_no_validation_messages();
         return picture.is_whole();
     }
 
@@ -104,7 +104,7 @@ public:
 
     Device device() const override { return {"vulkan", device_.name()}; }
 
-    std::vector<std::string> complaints() const override { return instance_.complaints(); }
+    std::vector<std::string> complaints() const override { return instance_.validation_messages(); }
 
 private:
     // All of this is kept from picture to picture: most are as the one before, or as the one before that.

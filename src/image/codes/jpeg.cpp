@@ -21,30 +21,29 @@ Handle owned(tjhandle handle)
     return {handle, &tjDestroy};
 }
 
-[[noreturn]] void refuse_for(const JpegVerdict& verdict, const std::string& name)
+[[noreturn]] void refuse_for(const JpegStatus& status, const std::string& name)
 {
-    if (verdict.out_of_memory)
+    if (status.out_of_memory)
         throw std::bad_alloc();
-    refuse(name, "not a valid JPEG: ", printable(verdict.error, 200));
+    refuse(name, "not a valid JPEG: ", printable(status.error, 200));
 }
 
-// An encoder that sends each bit of each coefficient band on its own stays below it.
+// Ten scans are usual; an encoder with a scan for each bit of each band of coefficients stays below this.
 constexpr int max_scans = 100;
 
-// A progressive file may revisit the whole picture in each of many tiny scans. Ten are usual; an
-// encoder that sends each bit of each coefficient band on its own stays below a hundred.
+// Limits the time to decode a progressive file, in which each of many tiny scans may visit the whole image.
 void check_work(const JpegFrame& frame, const std::string& name)
 {
     constexpr std::int64_t max_visits = std::int64_t{1} << 32;
     const std::int64_t visits = std::int64_t{frame.width} * frame.height * frame.scans;
     if (frame.scans > max_scans || visits > max_visits)
         refuse(name, "its ", frame.scans, " scans of ", frame.width, "x", frame.height,
-               " pixels are more work than a JPEG may ask for");
+               " pixels exceed the limit on decoding work");
 }
 
-// The first component has a block of 8x8 for every 8x8 pixels at least, and with Huffman codes each block
-// costs at least a bit. Arithmetic coding (processes 0xc9 and up) has no such bound; there a sixteenth is
-// demanded, less than an encoder makes of a flat picture.
+// The first component has at least a block for every 8x8 pixels, and with Huffman codes a block takes at
+// least a bit. Arithmetic coding (processes 0xc9 and up) has no such bound; a sixteenth of a bit is required
+// instead, less than an encoder needs for an image of a single colour.
 void check_length(const JpegFrame& frame, std::size_t length, const std::string& name)
 {
     const std::int64_t blocks = std::int64_t{(frame.width + 7) / 8} * ((frame.height + 7) / 8);
@@ -54,17 +53,17 @@ void check_length(const JpegFrame& frame, std::size_t length, const std::string&
                " pixels its header claims");
 }
 
-// What is wrong with a file that can be read all the same: an error for those who do not listen.
-void complain(const std::string& complaint, const std::string& name, Warnings* warnings)
+// Reports damage to a file that can be read nevertheless: a warning, or an error if there are no `warnings`.
+void report_damage(const std::string& damage, const std::string& name, Warnings* warnings)
 {
     if (warnings == nullptr)
-        refuse(name, "not a valid JPEG: ", complaint);
-    warnings->push_back(text(name, ": damaged JPEG: ", complaint));
+        refuse(name, "not a valid JPEG: ", damage);
+    warnings->push_back(text(name, ": damaged JPEG: ", damage));
 }
 
 std::string early_end(std::size_t length)
 {
-    return text("it ends after ", length, " bytes, before its end mark");
+    return text("it ends after ", length, " bytes, before its end marker");
 }
 
 JpegFrame checked_frame(std::span<const std::uint8_t> bytes, const std::string& name)
@@ -83,10 +82,12 @@ JpegFrame checked_frame(std::span<const std::uint8_t> bytes, const std::string& 
 void open(JpegDecoder& decoder, int divisor, const JpegFrame& frame, const std::string& name)
 {
     if (!decoder.open(divisor))
-        refuse_for(decoder.verdict(), name);
+        refuse_for(decoder.status(), name);
     if (decoder.width() != (frame.width + divisor - 1) / divisor ||
-        decoder.height() != (frame.height + divisor - 1) / divisor || !decoder.has_known_colours())
-        refuse(name, "not a valid JPEG: it contradicts itself");
+        decoder.height() != (frame.height + divisor - 1) / divisor)
+        refuse(name, "not a valid JPEG: its size contradicts its frame header");
+    if (!decoder.has_known_colours())
+        refuse(name, "its colour space is not supported");
 }
 
 std::vector<std::uint8_t> read(JpegDecoder& decoder, const std::string& name)
@@ -94,11 +95,11 @@ std::vector<std::uint8_t> read(JpegDecoder& decoder, const std::string& name)
     std::vector<std::uint8_t> rgba(static_cast<std::size_t>(decoder.width()) *
                                    static_cast<std::size_t>(decoder.height()) * 4);
     if (!decoder.read(rgba.data()))
-        refuse_for(decoder.verdict(), name);
+        refuse_for(decoder.status(), name);
     return rgba;
 }
 
-// A large picture is first decoded at an eighth of its size, so that memory is only taken for whole files.
+// Decodes a large image at an eighth of its size first, so that full memory is only allocated for complete files.
 void check_whole(std::span<const std::uint8_t> bytes, const JpegFrame& frame, const std::string& name)
 {
     constexpr std::int64_t large = std::int64_t{1} << 24;
@@ -107,7 +108,7 @@ void check_whole(std::span<const std::uint8_t> bytes, const JpegFrame& frame, co
     JpegDecoder decoder(bytes, max_scans);
     open(decoder, 8, frame, name);
     read(decoder, name);
-    if (decoder.verdict().ends_early)
+    if (decoder.status().ends_early)
         refuse(name, "not a valid JPEG: ", early_end(bytes.size()));
 }
 
@@ -139,14 +140,13 @@ CodeImage decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& na
     JpegDecoder decoder(bytes, max_scans);
     open(decoder, 1, frame, name);
     CodeImage image{frame.width, frame.height, 4, 8, read(decoder, name)};
-    const JpegVerdict verdict = decoder.verdict();
-    if (frame.ends_early || verdict.ends_early)
-        complain(early_end(bytes.size()), name, warnings);
-    else if (verdict.complaints > 0)
-        complain(
-            text(printable(verdict.complaint, 200),
-                 verdict.complaints > 1 ? text(" (and ", verdict.complaints - 1, " complaints more)") : ""),
-            name, warnings);
+    const JpegStatus status = decoder.status();
+    if (frame.ends_early || status.ends_early)
+        report_damage(early_end(bytes.size()), name, warnings);
+    else if (status.warnings > 0)
+        report_damage(text(printable(status.warning, 200),
+                           status.warnings > 1 ? text(" (and ", status.warnings - 1, " more)") : ""),
+                      name, warnings);
     return image;
 }
 
@@ -154,7 +154,7 @@ ImageInfo inspect_jpeg(std::span<const std::uint8_t> bytes, const std::string& n
 {
     const JpegFrame frame = checked_frame(bytes, name);
     if (frame.ends_early)
-        complain(early_end(bytes.size()), name, warnings);
+        report_damage(early_end(bytes.size()), name, warnings);
     return {"JPEG",
             text(frame.bits, "-bit ", frame.components == 1 ? "grey" : "colour", ", ",
                  process_name(frame.process)),

@@ -1,4 +1,4 @@
-// JPEG (ITU-T T.81), read through libjpeg's API, written through TurboJPEG's.
+// JPEG (ITU-T T.81), read with libjpeg's API and written with TurboJPEG's.
 #pragma once
 
 #include "image/image.h"
@@ -11,33 +11,33 @@
 
 namespace lambent::image {
 
-/// The largest side that libjpeg writes.
+/// The largest width and height that libjpeg writes.
 inline constexpr int max_jpeg_side = 65500;
 
-/// Whether the bytes begin as a JPEG does.
+/// Whether the bytes begin with JPEG's signature.
 bool is_jpeg(std::span<const std::uint8_t> bytes);
 
-/// An 8-bit grey, YCbCr or RGB JPEG as RGBA with alpha 255, of any subsampling that libjpeg decodes. CMYK and YCCK files
-/// are refused: to show them needs the colour profile of a press. So are files with more scans than any honest encoder
-/// makes.
-/// A file about which the decoder complains (stray bytes, an early end) is read as far as it goes, grey or smeared
-/// beyond, with one line in `warnings`; without `warnings`, and where it has more than 2^24 pixels and ends early, it is
-/// refused.
+/// Decodes an 8-bit grey, YCbCr or RGB JPEG, of any subsampling that libjpeg supports, to RGBA with alpha 255. Refuses
+/// CMYK and YCCK files, whose colours depend on the profile of a printing press, and files with more scans than any
+/// legitimate encoder makes.
+/// A file that the decoder warns of (stray bytes, an early end) is decoded as far as possible, grey or smeared beyond,
+/// with one line in `warnings`. Without `warnings`, or with more than 2^24 pixels and an early end, it is refused.
 /// Throws Error(bad_input).
 CodeImage decode_jpeg(std::span<const std::uint8_t> bytes, const std::string& name,
                       Warnings* warnings = nullptr);
 
-/// An early end is a warning, or without `warnings` refused. Throws Error(bad_input).
+/// Format and size of a JPEG. An early end is a warning; without `warnings` the file is refused. Throws
+/// Error(bad_input).
 ImageInfo inspect_jpeg(std::span<const std::uint8_t> bytes, const std::string& name,
                        Warnings* warnings = nullptr);
 
-/// The trade of looks against size of encode_jpeg. The default is for pictures to keep.
+/// Quality against size and speed in encode_jpeg. The default suits images that are stored.
 struct JpegEffort {
     int quality = 95;    ///< 1 to 100
-    bool halved = false; ///< half as many places for colour across and down, and faster arithmetic
+    bool halved = false; ///< 4:2:0 chroma subsampling and a faster DCT
 };
 
-/// A valid 8-bit image as a JPEG; alpha is dropped. Throws std::bad_alloc only.
+/// Encodes a valid 8-bit image; alpha is dropped. Throws std::bad_alloc only.
 std::vector<std::uint8_t> encode_jpeg(const CodeImage& image, const JpegEffort& effort = {});
 
 } // namespace lambent::image

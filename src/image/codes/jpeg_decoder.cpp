@@ -15,8 +15,8 @@ constexpr JDIMENSION rows_at_a_time = 16;
 
 } // namespace
 
-// libjpeg is C: its errors leave by longjmp, past frames that hold nothing to destroy. Everything that changes in them
-// is a member here.
+// libjpeg is a C library: its errors leave by longjmp, which must not skip destructors. The functions between have no
+// objects to destroy, and everything that they change is a member here.
 struct JpegDecoder::State {
     jpeg_decompress_struct decompress{};
     jpeg_error_mgr errors{};
@@ -24,7 +24,7 @@ struct JpegDecoder::State {
     std::jmp_buf leave{};
     std::span<const std::uint8_t> bytes;
     int most_scans = 0;
-    char error[JMSG_LENGTH_MAX] = {}, complaint[JMSG_LENGTH_MAX] = {};
+    char error[JMSG_LENGTH_MAX] = {}, warning[JMSG_LENGTH_MAX] = {};
     bool ends_early = false, out_of_memory = false;
 
     static State& of(j_common_ptr info) { return *static_cast<State*>(info->client_data); }
@@ -37,14 +37,14 @@ struct JpegDecoder::State {
         std::longjmp(state.leave, 1);
     }
 
-    // Levels from 0 up are remarks, below 0 complaints.
-    static void hear(j_common_ptr info, int level)
+    // Negative levels are warnings about damage, all others are trace messages.
+    static void take_message(j_common_ptr info, int level)
     {
         if (level >= 0)
             return;
         State& state = of(info);
         if (info->err->num_warnings++ == 0)
-            info->err->format_message(info, state.complaint);
+            info->err->format_message(info, state.warning);
         state.ends_early = state.ends_early || info->err->msg_code == JWRN_JPEG_EOF;
     }
 
@@ -97,7 +97,7 @@ JpegDecoder::JpegDecoder(std::span<const std::uint8_t> bytes, int most_scans)
     state_->most_scans = most_scans;
     state_->decompress.err = jpeg_std_error(&state_->errors);
     state_->errors.error_exit = &State::stop;
-    state_->errors.emit_message = &State::hear;
+    state_->errors.emit_message = &State::take_message;
     state_->decompress.client_data = state_.get();
 }
 
@@ -108,7 +108,7 @@ JpegDecoder::~JpegDecoder()
 
 bool JpegDecoder::open(int divisor)
 {
-    // NOLINTNEXTLINE(cert-err52-cpp): the library's way
+    // NOLINTNEXTLINE(cert-err52-cpp): libjpeg reports errors by longjmp
     if (setjmp(state_->leave) != 0)
         return false;
     state_->start(divisor);
@@ -117,7 +117,7 @@ bool JpegDecoder::open(int divisor)
 
 bool JpegDecoder::read(std::uint8_t* rgba)
 {
-    // NOLINTNEXTLINE(cert-err52-cpp): the library's way
+    // NOLINTNEXTLINE(cert-err52-cpp): libjpeg reports errors by longjmp
     if (setjmp(state_->leave) != 0)
         return false;
     state_->read(rgba);
@@ -140,9 +140,9 @@ bool JpegDecoder::has_known_colours() const
     return space == JCS_GRAYSCALE || space == JCS_YCbCr || space == JCS_RGB;
 }
 
-JpegVerdict JpegDecoder::verdict() const
+JpegStatus JpegDecoder::status() const
 {
-    return {state_->error, state_->complaint, state_->errors.num_warnings, state_->ends_early,
+    return {state_->error, state_->warning, state_->errors.num_warnings, state_->ends_early,
             state_->out_of_memory};
 }
 

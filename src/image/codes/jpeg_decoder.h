@@ -1,5 +1,5 @@
-// Decodes one JPEG by libjpeg's own API. TurboJPEG's knows only some subsamplings, and after a complaint either stops
-// or says nothing.
+// Decodes a JPEG with libjpeg's API. TurboJPEG's API supports only some subsamplings, and on a warning it either stops
+// or ignores it.
 #pragma once
 
 #include <cstddef>
@@ -10,37 +10,38 @@
 
 namespace lambent::image {
 
-/// What the decoder thinks of a file so far.
-struct JpegVerdict {
-    std::string error;     ///< why it stopped; empty: it did not
-    std::string complaint; ///< the first thing that it mended; empty: none
-    long complaints = 0;   ///< how many there were
+/// Errors and warnings of the decoder so far.
+struct JpegStatus {
+    std::string error;   ///< why it stopped; empty if it did not
+    std::string warning; ///< the first warning; empty if there is none
+    long warnings = 0;   ///< number of warnings
     bool ends_early = false;
     bool out_of_memory = false;
 };
 
 class JpegDecoder {
 public:
-    /// `bytes` must outlive it. It stops at the first scan beyond `most_scans`.
+    /// `bytes` must outlive the decoder. Decoding stops at the first scan after `most_scans`.
     JpegDecoder(std::span<const std::uint8_t> bytes, int most_scans);
     JpegDecoder(const JpegDecoder&) = delete;
     JpegDecoder& operator=(const JpegDecoder&) = delete;
     ~JpegDecoder();
 
-    /// Reads the header. `divisor`: 1, 2, 4 or 8, the whole picture as many times smaller. False: see verdict().
+    /// Reads the header. The image is decoded `divisor` times smaller: 1, 2, 4 or 8. Returns false on an error, which
+    /// status() describes.
     bool open(int divisor);
 
-    /// In pixels, once open: rounded up where a divisor does not divide.
+    /// Size in pixels, valid after open(): that of the file over the divisor, rounded up.
     int width() const;
     int height() const;
 
-    /// Whether it is grey, YCbCr or RGB, which alone can become RGBA.
+    /// Whether the file is grey, YCbCr or RGB, which can be converted to RGBA.
     bool has_known_colours() const;
 
-    /// Decodes to width() * height() RGBA codes. False: see verdict().
+    /// Decodes to width() * height() RGBA codes. Returns false on an error, which status() describes.
     bool read(std::uint8_t* rgba);
 
-    JpegVerdict verdict() const;
+    JpegStatus status() const;
 
 private:
     struct State;

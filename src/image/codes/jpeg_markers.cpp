@@ -13,19 +13,19 @@ constexpr int start_of_image = 0xd8;
 constexpr int end_of_image = 0xd9;
 constexpr int start_of_scan = 0xda;
 
-// SOF0 to SOF15 without the three codes in between that mean something else.
+// Whether the marker is one of SOF0 to SOF15. Three codes between them (DHT, JPG, DAC) are not.
 bool is_frame(int marker)
 {
     return marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
 }
 
-// Markers that stand alone, without a length: the restarts and TEM.
+// Whether the marker has no segment: the restarts and TEM.
 bool is_bare(int marker)
 {
     return (marker >= 0xd0 && marker <= 0xd7) || marker == 0x01;
 }
 
-// Thrown where a byte is wanted that is not there.
+// Thrown on reading beyond the last byte.
 struct EndOfFile {};
 
 struct Walk {
@@ -41,8 +41,8 @@ struct Walk {
     }
     int word(std::size_t index) const { return byte(index) * 256 + byte(index + 1); }
 
-    // Goes behind the next marker; what is passed on the way is entropy-coded data, where 0xff is
-    // followed by 0, or filling.
+    // Moves past the next marker and returns it. Bytes before it are entropy-coded data, in which 0 follows every
+    // 0xff, or fill bytes.
     int next_marker()
     {
         for (;;) {
@@ -99,11 +99,11 @@ JpegFrame read_jpeg_frame(std::span<const std::uint8_t> bytes, const std::string
         read_segments(walk, frame);
     } catch (const EndOfFile&) {
         if (frame.scans == 0)
-            refuse(name, "not a valid JPEG: it ends after ", bytes.size(), " bytes, before its end mark");
+            refuse(name, "not a valid JPEG: it ends after ", bytes.size(), " bytes, before its end marker");
         frame.ends_early = true;
     }
     if (frame.process == 0 || frame.scans == 0)
-        refuse(name, "not a valid JPEG: it holds no picture");
+        refuse(name, "not a valid JPEG: it holds no image");
     return frame;
 }
 

@@ -14,10 +14,10 @@
 namespace lambent::image {
 namespace {
 
-// Metadata (profiles, texts) is never used here, so little room for it is enough.
+// A small limit, because metadata (profiles, texts) is never used.
 constexpr std::size_t max_metadata = std::size_t{16} << 20;
 
-// No byte of a deflate stream can stand for more than 1032 bytes (zlib's "Technical Details" page).
+// A byte of a deflate stream decodes to at most 1032 bytes (zlib's "Technical Details" page).
 constexpr std::uint64_t max_deflate_ratio = 1032;
 
 struct Context {
@@ -40,7 +40,7 @@ void check(int status, const std::string& name)
         refuse(name, "not a valid PNG: ", spng_strerror(status));
 }
 
-// A PNG in memory, and what is done about wrong checksums.
+// A PNG in memory and the treatment of wrong checksums.
 struct Source {
     std::span<const std::uint8_t> bytes;
     spng_crc_action wrong_checksum = SPNG_CRC_ERROR;
@@ -81,7 +81,7 @@ void check_length(const spng_ihdr& header, std::size_t length, const std::string
                " pixels its header claims");
 }
 
-// Without interlacing the rows come in order, and memory is taken as they prove to be there.
+// Without interlacing, rows come in order, and memory grows with the rows that the file really has.
 void decode_in_order(const Context& png, std::size_t row_bytes, CodeImage& image, const std::string& name)
 {
     image.bytes.reserve(row_bytes * static_cast<std::size_t>(image.height));
@@ -94,7 +94,7 @@ void decode_in_order(const Context& png, std::size_t row_bytes, CodeImage& image
     }
 }
 
-// Adam7 visits rows in seven passes, so that the whole image must be there from the start.
+// Adam7 visits the rows in seven passes, so that memory for the whole image is needed from the start.
 void decode_interlaced(const Context& png, std::size_t row_bytes, CodeImage& image, const std::string& name)
 {
     image.bytes.resize(row_bytes * static_cast<std::size_t>(image.height));
@@ -106,8 +106,8 @@ void decode_interlaced(const Context& png, std::size_t row_bytes, CodeImage& ima
     }
 }
 
-// Runs through all passes of a large interlaced file and keeps nothing: a short file that claims a large
-// image is found out before memory is taken for it.
+// Decodes all passes of a large interlaced file into a single row, so that a truncated file is refused before
+// memory is allocated for the image.
 void check_interlaced(const Source& source, const std::string& name)
 {
     const Context png(0);
@@ -177,7 +177,7 @@ CodeImage decode_png(std::span<const std::uint8_t> bytes, const std::string& nam
         }
         if (image.bytes.empty())
             throw;
-        warnings->push_back(text(error.what(), ": its pixels are used all the same"));
+        warnings->push_back(text(error.what(), ": its pixels are used nevertheless"));
         return image;
     }
 }

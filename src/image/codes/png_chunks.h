@@ -1,4 +1,4 @@
-// What of a PNG's chunks its pixels need.
+// Extracts the chunks of a PNG that its pixels need.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,8 @@
 
 namespace lambent::image {
 
-/// The file's IHDR, PLTE, tRNS and IDAT chunks with their checksums, right or wrong, and an end mark. A last chunk that is
-/// cut off ends where the file does. At most 24 bytes longer than the file.
+/// A PNG of the file's IHDR, PLTE, tRNS and IDAT chunks, with their checksums whether right or wrong, and an IEND. A
+/// last chunk that is cut off is shortened to the end of the file. The result is at most 24 bytes longer than the file.
 std::vector<std::uint8_t> needed_chunks(std::span<const std::uint8_t> bytes);
 
 } // namespace lambent::image

@@ -15,7 +15,7 @@ void check_shape(int size, int levels)
 }
 
 // Column and row of each face in the cross.
-constexpr int cross_places[6][2] = {{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}};
+constexpr int cross_positions[6][2] = {{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}};
 
 } // namespace
 
@@ -64,7 +64,7 @@ RadianceImage cross_image(const CubeMap& map, int level)
     for (int face = 0; face < 6; ++face)
         for (int y = 0; y < size; ++y)
             std::copy_n(map.pixel(level, face, 0, y), 3 * size,
-                        cross.pixel(cross_places[face][0] * size, cross_places[face][1] * size + y));
+                        cross.pixel(cross_positions[face][0] * size, cross_positions[face][1] * size + y));
     return cross;
 }
 

@@ -1,4 +1,4 @@
-// A cube map in memory: six square faces a level, each level half the size of the one before.
+// Cube maps in memory: six square faces per level, each level half the size of the previous one.
 #pragma once
 
 #include "image/image.h"
@@ -12,31 +12,31 @@
 
 namespace lambent::image {
 
-/// Light on the faces of a cube: linear RGB as in RadianceImage, level by level, in a level the faces
-/// +X -X +Y -Y +Z -Z, in a face rows from the top and texels from the left.
+/// Light on the faces of a cube: linear RGB as in RadianceImage, by level, then by face (+X -X +Y -Y +Z -Z), then
+/// by row from the top, texels from the left.
 ///
-/// Texel (x, y) of a face lies in the direction (+Y is up), with s = (2x + 1) / size - 1 to the right and
-/// t = (2y + 1) / size - 1 down:
+/// With s = (2x + 1) / size - 1 to the right and t = (2y + 1) / size - 1 down, the direction of texel (x, y) of a
+/// face is (+Y is up)
 ///     +X ( 1, -t, -s)    +Y (s,  1,  t)    +Z ( s, -t,  1)
 ///     -X (-1, -t,  s)    -Y (s, -1, -t)    -Z (-s, -t, -1)
-/// These are the faces of equations/sphere_maps.glsl and of OpenGL, Vulkan, Direct3D and KTX: a shader that
-/// looks a direction up finds the light from there. Whoever stands in the cube of a right-handed world sees
-/// the faces as in a mirror, because those interfaces take it for left-handed: see mirrored().
+/// as in equations/sphere_maps.glsl, OpenGL, Vulkan, Direct3D and KTX: a lookup of a direction in a shader returns
+/// the light from there. These interfaces define the cube in a left-handed frame, so that a viewer inside it in a
+/// right-handed world sees the faces mirrored: see mirrored().
 struct CubeMap {
-    int size = 0;              ///< of a face at level 0, in texels; any, not only powers of two
+    int size = 0;              ///< width of a face at level 0, in texels; not only powers of two
     int levels = 0;            ///< 1 to full_levels(size)
     std::vector<float> values; ///< three for each texel
 
     int face_size(int level) const { return std::max(1, size >> level); }
 
-    /// Floats of one face of a level.
+    /// Number of floats of a face of a level.
     std::size_t face_floats(int level) const
     {
         const auto n = static_cast<std::size_t>(face_size(level));
         return 3 * n * n;
     }
 
-    /// Index of the first float of a level; that of `levels` is how many there are.
+    /// Index of the first float of a level. level_start(levels) is the number of floats.
     std::size_t level_start(int level) const
     {
         std::size_t start = 0;
@@ -76,7 +76,7 @@ private:
     }
 };
 
-/// Levels down to a face of one texel.
+/// Number of levels down to faces of one texel.
 constexpr int full_levels(int size)
 {
     return static_cast<int>(std::bit_width(static_cast<unsigned>(size)));
@@ -85,21 +85,21 @@ constexpr int full_levels(int size)
 /// A black cube map. Throws Error(usage) as check_cube_map, and std::bad_alloc.
 CubeMap make_cube_map(int size, int levels);
 
-/// Throws Error(usage) unless the size is 1 to 65536, the levels 1 to full_levels and the values as many as
-/// both say.
+/// Throws Error(usage) unless the size is 1 to 65536, the levels are 1 to full_levels(size) and the number of
+/// values matches both.
 void check_cube_map(const CubeMap& map);
 
-/// The same light with x turned round: what viewers want that take cube maps for left-handed and their world
-/// for right-handed, and so look up (-x, y, z), as three.js does. Twice is the map itself.
+/// The map mirrored in x, for viewers with a right-handed world that look up (-x, y, z) in a left-handed cube map,
+/// as three.js does. Mirroring twice gives the original map.
 CubeMap mirrored(const CubeMap& map);
 
-/// Names of the faces for files: px nx py ny pz nz.
+/// Names of the faces in file names.
 inline constexpr std::array<const char*, 6> face_names = {"px", "nx", "py", "ny", "pz", "nz"};
 
-/// A face of a level as a picture.
+/// A face of a level as an image.
 RadianceImage face_image(const CubeMap& map, int level, int face);
 
-/// A level unfolded, four faces wide and three high, black where there is no face:
+/// A level unfolded to a cross, four faces wide and three high, black between the faces:
 ///        +Y
 ///     -X +Z +X -Z
 ///        -Y

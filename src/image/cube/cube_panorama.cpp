@@ -12,7 +12,7 @@ namespace {
 
 using in_double::CubePlace;
 
-// A level of a cube map, to be looked up.
+// A level of a cube map, for lookups.
 struct Level {
     const CubeMap& map;
     int level, size;
@@ -27,7 +27,7 @@ struct Level {
     }
 };
 
-// Calls visit(x, y, weight) for the four texels around a place on a face of `size` texels a side.
+// Calls visit(x, y, weight) for the four texels around a position on a face `size` texels wide.
 template <class Visit>
 void around(const CubePlace& at, int size, const Visit& visit)
 {
@@ -41,8 +41,8 @@ void around(const CubePlace& at, int size, const Visit& visit)
     visit(left + 1, top + 1, u * v);
 }
 
-// Bilinear. Beyond an edge the face's plane goes on, and what would be its texel there is looked up, bilinearly
-// too, among those of the neighbouring face.
+// Adds a bilinear lookup to `rgb`. A texel beyond an edge, on the continued plane of the face, is itself looked up
+// bilinearly on the neighbouring face.
 void look_up(const Level& level, const CubePlace& at, float* rgb)
 {
     const int face = static_cast<int>(at.face), size = level.size;
@@ -65,7 +65,7 @@ RadianceImage equirectangular_image(const CubeMap& map, int level, int height)
     if (height < 1 || height > 32768)
         throw Error(Failure::usage, text("a panorama ", height, " texels high: 1 to 32768 are possible"));
     if (level < 0 || level >= map.levels)
-        throw Error(Failure::usage, text("level ", level, " of a cube map that has ", map.levels));
+        throw Error(Failure::usage, text("level ", level, " of a cube map with ", map.levels, " levels"));
     const int width = 2 * height, size = map.face_size(level);
     RadianceImage image = black_image(width, height);
     for (int y = 0; y < height; ++y)

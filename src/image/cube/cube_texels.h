@@ -1,4 +1,4 @@
-// Texels of cube map files, and numbers in them: little-endian, whatever the machine.
+// Encodes the texels and numbers of cube map files, little-endian on every machine.
 #pragma once
 
 #include "image/cube/cube_files.h"
@@ -8,16 +8,16 @@
 
 namespace lambent::image {
 
-/// Bytes of a texel.
+/// Size of a texel in bytes.
 std::size_t texel_bytes(TexelFormat format);
 
-/// Bytes of one face of a level.
+/// Size of a face of a level in bytes.
 std::uint64_t face_bytes(const CubeMap& map, int level, TexelFormat format);
 
-/// Appends the texels of RGB floats.
+/// Appends RGB floats as texels of a format.
 void append_texels(std::span<const float> rgb, TexelFormat format, std::vector<std::uint8_t>& bytes);
 
-/// Appends an unsigned number, its lowest byte first.
+/// Appends an unsigned number, lowest byte first.
 template <std::unsigned_integral Number>
 void append(std::vector<std::uint8_t>& bytes, Number number)
 {

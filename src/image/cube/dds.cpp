@@ -8,7 +8,7 @@
 namespace lambent::image {
 namespace {
 
-// The names of Microsoft's dds.h and dxgiformat.h.
+// Constants named as in Microsoft's dds.h and dxgiformat.h.
 constexpr std::uint32_t ddsd_caps = 0x1, ddsd_height = 0x2, ddsd_width = 0x4, ddsd_pitch = 0x8;
 constexpr std::uint32_t ddsd_pixelformat = 0x1000, ddsd_mipmapcount = 0x20000;
 constexpr std::uint32_t ddpf_fourcc = 0x4;
@@ -53,7 +53,7 @@ void append_header(std::vector<std::uint8_t>& bytes, const CubeMap& map, TexelFo
     append_all(bytes, {32, ddpf_fourcc, four_characters("DX10"), 0, 0, 0, 0, 0});
     append_all(bytes, {ddscaps_complex | ddscaps_texture | (chain ? ddscaps_mipmap : 0),
                        ddscaps2_cubemap_all_faces, 0, 0, 0});
-    // One cube, which counts as an array of one.
+    // The array size of a cube map is the number of cubes.
     append_all(bytes, {dxgi_format(format), dimension_texture2d, misc_texturecube, 1, alpha_mode_opaque});
 }
 

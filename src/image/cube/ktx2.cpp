@@ -18,7 +18,7 @@ constexpr std::uint8_t identifier[] = {0xab, 'K', 'T', 'X', ' ', '2', '0', 0xbb,
 constexpr std::uint64_t header_bytes = 80, level_index_bytes = 24;
 constexpr std::uint32_t zstd_scheme = 2;
 
-// One key with its value as it goes into the file: both end with a zero, which counts; the padding does not.
+// Appends a key and its value. The stored length includes the zeros that end both, but not the padding.
 void append_pair(Bytes& bytes, const std::string& key, const std::string& value)
 {
     append(bytes, static_cast<std::uint32_t>(key.size() + value.size() + 2));
@@ -29,16 +29,17 @@ void append_pair(Bytes& bytes, const std::string& key, const std::string& value)
     bytes.resize((bytes.size() + 3) / 4 * 4);
 }
 
-// Names that begin like this are the format's own; of those a cube map of a known format may have three.
+// Keys that begin with KTX or ktx are reserved; a cube map in a Vulkan format may have three of them.
 void check_key(const std::string& key)
 {
     const bool own = key.starts_with("KTX") || key.starts_with("ktx");
     if (key.empty() || key.find('\0') != std::string::npos ||
         (own && key != "KTXwriter" && key != "KTXwriterScParams" && key != "KTXorientation"))
-        throw Error(Failure::usage, text("KTX 2 has no room for metadata named '", printable(key), "'"));
+        throw Error(Failure::usage,
+                    text("KTX 2 does not allow metadata with the key '", printable(key), "'"));
 }
 
-// The keys sorted by their code points, which in UTF-8 is the order of their bytes, and so the map's.
+// The format requires keys sorted by code points. In UTF-8 that is the order of their bytes, and so the map's.
 Bytes key_values(std::map<std::string, std::string> metadata)
 {
     metadata.emplace("KTXwriter", "lambent");
@@ -54,13 +55,13 @@ Bytes key_values(std::map<std::string, std::string> metadata)
     return bytes;
 }
 
-// Where a level is in the file.
-struct Place {
+// An entry of the level index, in bytes.
+struct LevelIndexEntry {
     std::uint64_t offset = 0, length = 0, uncompressed = 0;
 };
 
-// A level's six faces, at the end of the file so far.
-Place append_level(Bytes& file, const CubeMap& map, int level, const Ktx2Options& options)
+// Appends the six faces of a level to the file.
+LevelIndexEntry append_level(Bytes& file, const CubeMap& map, int level, const Ktx2Options& options)
 {
     const std::uint64_t length = 6 * face_bytes(map, level, options.format);
     if (options.zstd) {
@@ -73,7 +74,7 @@ Place append_level(Bytes& file, const CubeMap& map, int level, const Ktx2Options
         file.insert(file.end(), packed.begin(), packed.end());
         return {offset, packed.size(), length};
     }
-    // The least common multiple of the texel and 4, which divides all texels here.
+    // The format requires the least common multiple of the texel size and 4; all texel sizes are multiples of 4.
     const std::size_t alignment = texel_bytes(options.format);
     file.resize((file.size() + alignment - 1) / alignment * alignment);
     const std::uint64_t offset = file.size();
@@ -94,7 +95,7 @@ Bytes header(const CubeMap& map, const Ktx2Options& options, std::size_t descrip
           static_cast<std::uint32_t>(descriptor), static_cast<std::uint32_t>(descriptor_at + descriptor),
           static_cast<std::uint32_t>(pairs)})
         append(bytes, word);
-    append(bytes, std::uint64_t{0}); // no data that all levels share
+    append(bytes, std::uint64_t{0}); // no supercompression global data
     append(bytes, std::uint64_t{0});
     return bytes;
 }
@@ -114,12 +115,12 @@ std::vector<std::uint8_t> encode_ktx2(const CubeMap& map, const Ktx2Options& opt
     file.insert(file.end(), descriptor.begin(), descriptor.end());
     file.insert(file.end(), pairs.begin(), pairs.end());
 
-    std::vector<Place> places(static_cast<std::size_t>(map.levels));
-    for (std::size_t level = places.size(); level-- > 0;) // the smallest first
-        places[level] = append_level(file, map, static_cast<int>(level), options);
+    std::vector<LevelIndexEntry> entries(static_cast<std::size_t>(map.levels));
+    for (std::size_t level = entries.size(); level-- > 0;) // smallest level first
+        entries[level] = append_level(file, map, static_cast<int>(level), options);
     Bytes index;
-    for (const Place& place : places)
-        for (const std::uint64_t number : {place.offset, place.length, place.uncompressed})
+    for (const LevelIndexEntry& entry : entries)
+        for (const std::uint64_t number : {entry.offset, entry.length, entry.uncompressed})
             append(index, number);
     std::copy(index.begin(), index.end(), file.begin() + static_cast<std::ptrdiff_t>(index_at));
     return file;

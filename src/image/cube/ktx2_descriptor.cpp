@@ -7,17 +7,17 @@
 namespace lambent::image {
 namespace {
 
-// Bits of a texel that are one channel, or the exponent of one.
+// Bits of a texel that hold a channel or a channel's exponent.
 struct Sample {
-    std::uint32_t bit = 0, bits = 0;
-    std::uint32_t channel = 0; ///< with its qualifiers
+    std::uint32_t bit = 0, bits = 0; ///< first bit, number of bits
+    std::uint32_t channel = 0;       ///< with its qualifiers
     std::uint32_t lower = 0, upper = 0;
 };
 
 constexpr std::uint32_t alpha_channel = 15;
 constexpr std::uint32_t is_exponent = 0x20, is_signed = 0x40, is_float = 0x80;
 
-// Channels side by side, their range from -1 to 1.
+// Consecutive channels with the range -1 to 1.
 std::vector<Sample> float_samples(std::uint32_t bits)
 {
     const auto one = std::bit_cast<std::uint32_t>(1.0f), minus_one = std::bit_cast<std::uint32_t>(-1.0f);
@@ -28,8 +28,8 @@ std::vector<Sample> float_samples(std::uint32_t bits)
     return samples;
 }
 
-// Each channel is its mantissa and the exponent that all share. The exponent's lower limit is its bias, its
-// upper limit the largest; the mantissa's limit is the number that Khronos's own tools give for this format.
+// Each channel has its mantissa and the shared exponent. The exponent's lower limit is its bias, its upper limit
+// the largest exponent; the mantissa's upper limit is the one that Khronos's tools write for this format.
 std::vector<Sample> shared_exponent_samples()
 {
     std::vector<Sample> samples;
@@ -83,7 +83,7 @@ std::vector<std::uint8_t> ktx2_descriptor(TexelFormat format)
     append(bytes, 0u); // no other planes
     for (const Sample& sample : samples) {
         append(bytes, sample.bit | (sample.bits - 1) << 16 | sample.channel << 24);
-        append(bytes, 0u); // at the texel's place
+        append(bytes, 0u); // sample positions
         append(bytes, sample.lower);
         append(bytes, sample.upper);
     }

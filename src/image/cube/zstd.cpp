@@ -18,7 +18,7 @@ bool can_write_zstd()
 
 std::vector<std::uint8_t> compress_zstd(std::span<const std::uint8_t> bytes)
 {
-    // Beyond it half floats get slower to write much faster than they get smaller.
+    // At higher levels, files of half floats take much longer to write and get little smaller.
     constexpr int effort = 9;
     std::vector<std::uint8_t> packed(ZSTD_compressBound(bytes.size()));
     const std::size_t size = ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), effort);
@@ -37,7 +37,7 @@ bool can_write_zstd()
 
 std::vector<std::uint8_t> compress_zstd(std::span<const std::uint8_t>)
 {
-    throw Error(Failure::usage, "this build cannot compress with Zstandard: libzstd was not there");
+    throw Error(Failure::usage, "this build cannot compress with Zstandard: it was built without libzstd");
 }
 
 #endif

@@ -1,4 +1,4 @@
-// Zstandard, where the build found it.
+// Zstandard compression, if the build found libzstd.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace lambent::image {
 
-/// One frame that says its size. Throws Error(usage) where the build has no libzstd.
+/// A Zstandard frame whose header holds the uncompressed size. Throws Error(usage) if the build has no libzstd.
 std::vector<std::uint8_t> compress_zstd(std::span<const std::uint8_t> bytes);
 
 } // namespace lambent::image

@@ -36,17 +36,17 @@ const char* name_of(Content content)
 {
     switch (content) {
     case Content::radiance:
-        return "Radiance HDR";
+        return "a Radiance HDR";
     case Content::exr:
-        return "OpenEXR";
+        return "an OpenEXR";
     case Content::png:
-        return "PNG";
+        return "a PNG";
     case Content::jpeg:
-        return "JPEG";
+        return "a JPEG";
     case Content::other:
         break;
     }
-    return "file of another kind";
+    return "a file of unknown format";
 }
 
 } // namespace lambent::image

@@ -1,4 +1,4 @@
-// What kind of image a file is, told from its first bytes.
+// Recognizes image formats by a file's first bytes.
 #pragma once
 
 #include "image/byte_source.h"
@@ -12,10 +12,10 @@ enum class Content { radiance, exr, png, jpeg, other };
 
 Content content_of(std::span<const std::uint8_t> bytes);
 
-/// Throws Error(bad_input) when the source is empty.
+/// Reads the first bytes of `source`. Throws Error(bad_input) if it is empty.
 Content content_of(ByteSource& source);
 
-/// As in "is a PNG".
+/// The format's name with its article, for messages: "a PNG".
 const char* name_of(Content content);
 
 } // namespace lambent::image

@@ -17,13 +17,13 @@
 namespace lambent::image {
 namespace {
 
-// The largest image, stored without any compression, and room for metadata.
+// Size of the largest image without compression, plus metadata.
 constexpr std::uint64_t max_codes_file = (std::uint64_t{1} << 31) + (std::uint64_t{1} << 26);
 
 std::vector<std::uint8_t> read_all(ByteSource& source)
 {
     if (source.size() > max_codes_file)
-        refuse(source.name(), source.size(), " bytes is more than any image read here can need");
+        refuse(source.name(), source.size(), " bytes is more than any supported image needs");
     std::vector<std::uint8_t> bytes(static_cast<std::size_t>(source.size()));
     source.read(0, bytes.data(), bytes.size());
     return bytes;
@@ -48,7 +48,7 @@ std::unique_ptr<RadianceReader> open_radiance(std::unique_ptr<ByteSource> source
         return open_radiance_hdr(std::move(source));
     if (content == Content::exr)
         return open_exr(std::move(source));
-    refuse(source->name(), "is a ", name_of(content), "; light is read from Radiance HDR and OpenEXR");
+    refuse(source->name(), "is ", name_of(content), ", not Radiance HDR or OpenEXR");
 }
 
 } // namespace
@@ -103,7 +103,7 @@ CodeImage decode_codes(std::span<const std::uint8_t> bytes, const std::string& n
         return decode_png(bytes, name, warnings);
     if (content == Content::jpeg)
         return decode_jpeg(bytes, name, warnings);
-    refuse(name, "is a ", name_of(content), "; codes are read from PNG and JPEG");
+    refuse(name, "is ", name_of(content), ", not PNG or JPEG");
 }
 
 CodeImage read_codes(const std::filesystem::path& path, Warnings* warnings)
@@ -111,7 +111,7 @@ CodeImage read_codes(const std::filesystem::path& path, Warnings* warnings)
     const std::unique_ptr<ByteSource> source = open_bytes(path);
     const Content content = content_of(*source);
     if (content != Content::png && content != Content::jpeg)
-        refuse(source->name(), "is a ", name_of(content), "; codes are read from PNG and JPEG");
+        refuse(source->name(), "is ", name_of(content), ", not PNG or JPEG");
     return decode_codes(read_all(*source), source->name(), warnings);
 }
 
@@ -130,7 +130,7 @@ ImageInfo inspect(const std::filesystem::path& path, Warnings* warnings)
     case Content::other:
         break;
     }
-    refuse(source->name(), "is no image of a kind read here");
+    refuse(source->name(), "is not an image in a supported format");
 }
 
 void write_radiance(const RadianceImage& image, const std::filesystem::path& path)
@@ -138,7 +138,7 @@ void write_radiance(const RadianceImage& image, const std::filesystem::path& pat
     check_writable(image, image.values.size(), path);
     const FileKind kind = file_kind(path);
     if (kind != FileKind::exr && kind != FileKind::hdr)
-        throw Error(Failure::usage, text(path.string(), ": light is written as .exr or .hdr"));
+        throw Error(Failure::usage, text(path.string(), ": radiance is written as .exr or .hdr"));
     check_can_write(path);
     write_file(path, kind == FileKind::exr ? encode_exr(image) : encode_radiance_hdr(image));
 }

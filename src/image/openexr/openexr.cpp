@@ -14,20 +14,20 @@
 namespace lambent::image {
 namespace {
 
-// What the library says, without the "Cannot ... image file "it". " before the reason.
+// Refuses a file for the reason in the library's message, which begins with "Cannot ... image file "it". ".
 [[noreturn]] void refuse_for(const std::exception& error, const std::string& name)
 {
     const std::string_view line = error.what();
-    const std::string opening = text('"', exr_nameless, "\". ");
+    const std::string opening = text('"', exr_stream_name, "\". ");
     const std::size_t at = line.find(opening);
     refuse(name, "not a valid OpenEXR file: ",
            printable(at == std::string_view::npos ? line : line.substr(at + opening.size()), 200));
 }
 
-// Pictures that show more than they hold of pixels: this large, or so many times as large, and no larger.
-constexpr std::int64_t modest_pixels = std::int64_t{1} << 25, most_times = 16;
+// Largest display window of a file that stores fewer pixels: this many, or as many times the stored ones.
+constexpr std::int64_t always_allowed_pixels = std::int64_t{1} << 25, max_times_stored = 16;
 
-// The display window of a picture; the stored pixels of an environment map, which have the whole of it.
+// The window that is read: the display window, or the data window of an environment map.
 ExrWindow shown_window(const ExrPart& part, const std::string& name)
 {
     const ExrWindow data = part.data_window();
@@ -37,7 +37,7 @@ ExrWindow shown_window(const ExrPart& part, const std::string& name)
     check_size(name, shown.width, shown.height);
     const std::int64_t pixels = std::int64_t{shown.width} * shown.height,
                        stored = std::int64_t{data.width} * data.height;
-    if (pixels > std::max(modest_pixels, most_times * stored))
+    if (pixels > std::max(always_allowed_pixels, max_times_stored * stored))
         refuse(name, "its display window of ", shown.width, "x", shown.height, " is far larger than the ",
                data.width, "x", data.height, " pixels it stores");
     const auto apart = [](int a, int length, int b, int other) {
@@ -45,9 +45,9 @@ ExrWindow shown_window(const ExrPart& part, const std::string& name)
     };
     if (apart(shown.min_x, shown.width, data.min_x, data.width) ||
         apart(shown.min_y, shown.height, data.min_y, data.height))
-        refuse(name, "nothing of its data window ", data.width, "x", data.height, " at ", data.min_x, ",",
-               data.min_y, " is within its display window ", shown.width, "x", shown.height, " at ",
-               shown.min_x, ",", shown.min_y);
+        refuse(name, "its data window ", data.width, "x", data.height, " at ", data.min_x, ",", data.min_y,
+               " lies outside its display window ", shown.width, "x", shown.height, " at ", shown.min_x, ",",
+               shown.min_y);
     return shown;
 }
 
@@ -62,8 +62,8 @@ public:
         width_ = shown_.width;
         height_ = shown_.height;
         projection_ = part_.projection;
-        for (const std::string& doubt : part_.doubts)
-            warnings_.push_back(text(source_->name(), ": ", doubt));
+        for (const std::string& warning : part_.warnings)
+            warnings_.push_back(text(source_->name(), ": ", warning));
         if (part_.primaries)
             if (const ColourMatrix matrix = *to_rec709(*part_.primaries); !is_identity(matrix))
                 matrix_ = matrix;
@@ -95,7 +95,7 @@ private:
                    : exr_threads(std::int64_t{part_.width} * part_.height, 2 * part_.decoded_chunk_bytes());
     }
 
-    // Black where nothing is stored; what is stored beyond is left out.
+    // Reads rows of the display window, black where the data window has no pixels. Pixels outside it are left out.
     void read_window(int first, int count, float* rgb)
     {
         constexpr int at_once = 64;

@@ -49,7 +49,7 @@ std::optional<ExrChoice> find_colour(const ExrPart& part)
     refuse(name, "has no channels R, G and B and no Y; its channels are ", printable(channels));
 }
 
-// What the library's reader of luminance and chroma reads.
+// Refuses luminance-chroma images that the library's reader for them does not support.
 void check_chroma(const ExrChoice& choice, const ExrPart& part, const std::string& name)
 {
     if (choice.part != 0)

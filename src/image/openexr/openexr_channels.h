@@ -1,4 +1,4 @@
-// Which channels of an OpenEXR file are its picture.
+// Chooses the channels of an OpenEXR file that are read.
 #pragma once
 
 #include "image/openexr/openexr_header.h"
@@ -10,13 +10,13 @@ namespace lambent::image {
 
 struct ExrChoice {
     int part = 0;
-    /// The channels that make red, green and blue; all three the same for grey.
+    /// The channels for red, green and blue; all the same for grey.
     std::array<std::string, 3> channels;
-    bool luminance_chroma = false; ///< Y, RY and BY instead
+    bool luminance_chroma = false; ///< Y, RY and BY are read instead
 };
 
-/// Of the first part that has any: R, G, B; else those of the first layer that has all three; else Y with RY and BY; else Y.
-/// Throws Error(bad_input) where there is nothing of that, or in a form that is not read.
+/// The channels of the first part that has any of these: R, G, B; else those of the first layer that has all three;
+/// else Y with RY and BY; else Y. Throws Error(bad_input) if no part has any, or only in an unsupported form.
 ExrChoice choose_channels(const ExrHeader& header, const std::string& name);
 
 } // namespace lambent::image

@@ -1,4 +1,4 @@
-// The headers of an OpenEXR file, read with suspicion before the library sees them ("OpenEXR File Layout").
+// Reads and checks the headers of an OpenEXR file before the library does ("OpenEXR File Layout").
 #pragma once
 
 #include "image/byte_source.h"
@@ -12,16 +12,16 @@ namespace lambent::image {
 
 struct ExrHeader {
     std::vector<ExrPart> parts;
-    /// The start of the file up to the end of the headers. Attributes that do not matter here have their
-    /// type renamed to one that no library knows, so that none tries to understand them.
+    /// The file up to the end of the headers. The types of attributes that are not used are renamed to unknown
+    /// ones, so that the library does not parse them.
     std::vector<std::uint8_t> bytes;
 };
 
-/// Whether the bytes begin as an OpenEXR file does.
+/// Whether the bytes begin with OpenEXR's signature.
 bool is_exr(std::span<const std::uint8_t> bytes);
 
-/// Checks what a library would allocate memory for: every length against the file, every size against the
-/// limits, the number of chunks against the room for their table. Throws Error(bad_input).
+/// Reads the headers and checks everything that the library allocates memory for: lengths and the number of chunks
+/// against the size of the file, image and tile sizes against the limits. Throws Error(bad_input).
 ExrHeader read_exr_header(ByteSource& source);
 
 } // namespace lambent::image

@@ -16,25 +16,25 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Of a cube's pixels those at the corners are the smallest: none of them may be missed.
+// Lookups per texel along each axis: enough to miss none of a cube's pixels, which are smallest at the corners.
 constexpr int points_across = 5;
 
 using Direction = in_double::vec3;
 
-// Pixels of a map, from the middle of the first.
-struct MapPlace {
+// A position in a map in pixels, relative to the centre of the first.
+struct MapPosition {
     double x, y;
 };
 
-// Longitude 0 is +Z, in the middle, and longitudes grow to the left, where +X is.
-MapPlace place_in_latitudes(const RadianceImage& map, const Direction& d)
+// Longitude 0 is +Z, in the middle; longitudes increase to the left, towards +X.
+MapPosition position_in_latitude_longitude(const RadianceImage& map, const Direction& d)
 {
     const double longitude = std::atan2(d.x, d.z), polar = std::acos(std::clamp(d.y, -1.0, 1.0));
     return {(0.5 - longitude / (2.0 * pi)) * (map.width - 1), polar / pi * (map.height - 1)};
 }
 
-// Faces one below the other, each as it is seen from outside: those of the text, mirrored.
-MapPlace place_in_cube(const RadianceImage& map, const Direction& d)
+// The faces are stacked from top to bottom, each as seen from outside: those of equations/sphere_maps.glsl mirrored.
+MapPosition position_in_cube(const RadianceImage& map, const Direction& d)
 {
     const in_double::CubePlace at = in_double::cube_from_direction(d);
     const int face = static_cast<int>(at.face);
@@ -61,7 +61,7 @@ public:
     {
         if (map_.values.empty()) {
             map_ = read_all_rows(*source_);
-            // In the middle of the picture is +X, a quarter to the right of it +Z.
+            // +X is in the middle column, +Z a quarter of the width to its right.
             for (int x = 0; x < across_ * width_; ++x) {
                 const double phi = column_azimuth(x + 0.5, across_ * width_);
                 turns_.push_back({std::cos(phi), std::sin(phi)});
@@ -91,14 +91,14 @@ private:
             for (int i = 0; i < across_ * width_; ++i) {
                 const Turn turn = turns_[static_cast<std::size_t>(i)];
                 const Direction d(ring * turn.cosine, up, ring * turn.sine);
-                add(cube_ ? place_in_cube(map_, d) : place_in_latitudes(map_, d), share,
+                add(cube_ ? position_in_cube(map_, d) : position_in_latitude_longitude(map_, d), share,
                     rgb + 3 * (i / across_));
             }
         }
     }
 
-    // Bilinear, times a factor.
-    void add(const MapPlace& at, float factor, float* rgb) const
+    // Adds a bilinear lookup times `factor` to `rgb`.
+    void add(const MapPosition& at, float factor, float* rgb) const
     {
         const int left = std::clamp(static_cast<int>(at.x), 0, map_.width - 1);
         const int top = std::clamp(static_cast<int>(at.y), 0, map_.height - 1);
@@ -107,7 +107,7 @@ private:
         const float *a = map_.pixel(left, top), *b = map_.pixel(right, top);
         const float *c = map_.pixel(left, bottom), *d = map_.pixel(right, bottom);
         const float weights[4] = {(1 - fx) * (1 - fy), fx * (1 - fy), (1 - fx) * fy, fx * fy};
-        // What has no weight may be infinite.
+        // Pixels without weight are skipped, because they may be infinite.
         for (const auto& [pixel, weight] :
              {std::pair(a, weights[0]), {b, weights[1]}, {c, weights[2]}, {d, weights[3]}})
             if (weight > 0.0f)
@@ -117,9 +117,9 @@ private:
 
     std::unique_ptr<RadianceReader> source_;
     bool cube_;
-    int across_; // points of a texel
+    int across_; // lookups per texel along each axis
     RadianceImage map_;
-    std::vector<Turn> turns_; // by column of points
+    std::vector<Turn> turns_; // azimuth of each column of lookups
     int row_ = 0;
 };
 

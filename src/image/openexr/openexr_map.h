@@ -1,4 +1,4 @@
-// OpenEXR's environment maps as panoramas.
+// Converts OpenEXR environment maps to panoramas.
 #pragma once
 
 #include "image/image.h"
@@ -8,11 +8,13 @@
 
 namespace lambent::image {
 
-/// A reader of a map by its projection(), else the one given. X, Y and Z are those of the map.
-/// Pixels of these maps lie on the edges of the picture: the first row of latitudes is the zenith, its last column is its
-/// first, faces share their edges. Latitudes and longitudes come out in their size, a cube of faces of n pixels as 4 n x 2 n,
-/// each texel the mean of 5x5 bilinear lookups. [OpenEXR, ImfEnvmap.h]
-/// The map is held in memory once rows are read. Throws Error(bad_input) for a cube too large for that.
+/// A reader that converts an environment map by its projection() to an equirectangular panorama with the map's axes; or
+/// `reader` itself if its projection is unknown.
+/// The outermost pixels of these maps lie on the edges of the image: the first row of a latitude-longitude map is the
+/// zenith, its last column equals the first, and faces of a cube share their edges. A latitude-longitude map keeps its
+/// size, a cube with faces of n pixels becomes 4n x 2n, each texel the mean of 5x5 bilinear lookups. [OpenEXR,
+/// ImfEnvmap.h] The whole map is in memory once rows are read. Throws Error(bad_input) if the panorama of a cube
+/// exceeds the limits on images (refuse.h).
 std::unique_ptr<RadianceReader> as_equirectangular(std::unique_ptr<RadianceReader> reader,
                                                    const std::string& name);
 

@@ -8,10 +8,9 @@
 namespace lambent::image {
 namespace {
 
-// Rows in a scanline chunk, and how many times smaller than its pixels a chunk can get at most: a byte of
-// deflate stands for 1032 bytes, PXR24 has dropped a quarter before, DWA all but one of 64 values and half
-// of each; ten bits of PIZ's Huffman code repeat a 16-bit value 255 times; a two-byte run of RLE is 128
-// bytes; B44 is fixed.
+// Rows per scanline chunk and the largest compression ratio. A byte of deflate decodes to at most 1032 bytes,
+// before which PXR24 has dropped a quarter, and DWA all but one of 64 values and half of each; ten bits of PIZ's
+// Huffman code repeat a 16-bit value 255 times; a two-byte run of RLE decodes to 128 bytes; B44's ratio is fixed.
 struct Compression {
     const char* name;
     int rows;
@@ -40,7 +39,7 @@ std::uint64_t pieces(int length, int piece)
     return static_cast<std::uint64_t>((length - 1) / piece + 1);
 }
 
-// Subsampled channels count for nothing: how many samples they have does not matter here.
+// Bytes per pixel, as a lower bound: without subsampled channels.
 std::uint64_t pixel_bytes(const ExrPart& part)
 {
     std::uint64_t bytes = 0;
@@ -59,7 +58,7 @@ int ExrPart::rows_per_chunk() const
 
 std::uint64_t ExrPart::decoded_chunk_bytes() const
 {
-    // A tile that goes beyond the edge is whole in memory.
+    // A tile that extends beyond the image is decoded as a whole.
     const int across = tiled ? std::max(width, tile_width) : width;
     return static_cast<std::uint64_t>(across) * static_cast<std::uint64_t>(rows_per_chunk()) *
            channels.size() * 4;
@@ -72,14 +71,14 @@ const char* ExrPart::compression_name() const
 
 void check_exr_part(const ExrPart& part, std::uint64_t file_bytes, const std::string& name)
 {
-    // Eight bytes in the table of chunks, eight more before the content of each.
+    // Each chunk takes eight bytes in the table of chunks and at least eight for itself.
     constexpr std::uint64_t chunk_bytes = 16;
     const std::uint64_t columns = part.tiled ? pieces(part.width, part.tile_width) : 1;
     const std::uint64_t chunks = columns * pieces(part.height, part.rows_per_chunk());
     const std::uint64_t pixels =
         static_cast<std::uint64_t>(part.width) * static_cast<std::uint64_t>(part.height);
     const std::uint64_t content = part.deep ? 0 : pixels * pixel_bytes(part) / compression_of(part).most;
-    // What is decoded at once may be modest in itself, or in proportion to the file.
+    // A decoded chunk must be small, or small in proportion to the file.
     constexpr std::uint64_t modest = std::uint64_t{1} << 26;
     const bool too_large_at_once = part.decoded_chunk_bytes() > std::max(modest, file_bytes * 64);
     if (chunks > file_bytes / chunk_bytes || content > file_bytes || too_large_at_once)

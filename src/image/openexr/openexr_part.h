@@ -1,4 +1,4 @@
-// What the header of an OpenEXR file says of one image, and whether that can be true.
+// The header of one part (image) of an OpenEXR file, and a check whether the file can contain that image.
 #pragma once
 
 #include "image/image.h"
@@ -21,7 +21,7 @@ struct ExrChannel {
     int y_sampling = 1;
 };
 
-/// Pixels from (min_x, min_y) on.
+/// A rectangle of pixels with the top left corner (min_x, min_y).
 struct ExrWindow {
     int min_x = 0, min_y = 0, width = 0, height = 0;
 
@@ -29,36 +29,36 @@ struct ExrWindow {
 };
 
 struct ExrPart {
-    std::string type; ///< empty where a file of one part leaves it out
+    std::string type; ///< empty if a file with a single part omits it
     int min_x = 0;    ///< the data window: the stored pixels
     int min_y = 0;
     int width = 0;
     int height = 0;
     int compression = 0; ///< 0 none, 1 RLE, 2 ZIPS, 3 ZIP, 4 PIZ, 5 PXR24, 6 B44, 7 B44A, 8 DWAA, 9 DWAB
     bool tiled = false;
-    bool deep = false; ///< any number of samples a pixel
+    bool deep = false; ///< has any number of samples per pixel
     int tile_width = 0;
     int tile_height = 0;
     std::vector<ExrChannel> channels;
-    ExrWindow display; ///< the picture, of which the data window may have too little or too much
-    std::optional<Primaries> primaries;          ///< those that to_rec709() takes
-    Projection projection = Projection::unknown; ///< one that the data window's size allows
-    std::vector<std::string> doubts; ///< attributes that make no sense, each as a line for a warning
+    ExrWindow display;                  ///< the image; the data window may be smaller or extend beyond it
+    std::optional<Primaries> primaries; ///< only if to_rec709() accepts them
+    Projection projection = Projection::unknown; ///< a cube only if the data window's size is that of one
+    std::vector<std::string> warnings;           ///< warnings of invalid attributes, one line each
 
     ExrWindow data_window() const { return {min_x, min_y, width, height}; }
-    /// Rows that are stored, and so decoded, together.
+    /// Number of rows that are stored, and therefore decoded, together.
     int rows_per_chunk() const;
-    /// Memory for those rows once decoded, at most.
+    /// Upper bound on the memory of those rows when decoded.
     std::uint64_t decoded_chunk_bytes() const;
     /// "ZIP", "no compression", ...
     const char* compression_name() const;
 };
 
-/// Number of values that `compression` may have.
+/// Number of values of ExrPart::compression.
 inline constexpr int exr_compressions = 10;
 
-/// Refuses a part that a file of that many bytes cannot hold, however well compressed: an empty claim of a
-/// large image must not cost memory. `name` is used in the message.
+/// Refuses a part that a file of `file_bytes` bytes cannot contain at any compression, so that a wrong image size
+/// does not make the reader allocate memory. `name` is used in the message.
 void check_exr_part(const ExrPart& part, std::uint64_t file_bytes, const std::string& name);
 
 } // namespace lambent::image

@@ -48,7 +48,7 @@ public:
     {
         const auto width = static_cast<std::size_t>(part_.width);
         pixels_.resize(width * static_cast<std::size_t>(count));
-        // The library counts from the origin of the file's coordinates.
+        // The library expects a pointer to the origin of the file's coordinates.
         const std::ptrdiff_t origin =
             part_.min_x + static_cast<std::ptrdiff_t>(first) * static_cast<std::ptrdiff_t>(part_.width);
         file_.setFrameBuffer(pixels_.data() - origin, 1, width);

@@ -1,4 +1,4 @@
-// The stored pixels of an OpenEXR file, as the library decodes them.
+// Decodes the stored pixels of an OpenEXR file with the library.
 #pragma once
 
 #include "image/openexr/openexr_channels.h"
@@ -12,12 +12,13 @@ class ExrRows {
 public:
     virtual ~ExrRows() = default;
 
-    /// `count` rows of the data window from row `first` on (in the file's coordinates), as interleaved RGB in the primaries
-    /// of the file. What the library throws is its own.
+    /// Reads `count` rows of the data window from row `first` on (in the file's coordinates) as interleaved RGB in the
+    /// file's primaries. Throws the library's exceptions.
     virtual void read(int first, int count, float* rgb) = 0;
 };
 
-/// `threads` as the library takes them. Luminance-chroma goes through half floats. The stream has to outlive the rows.
+/// Uses `threads` of the library's threads. Luminance-chroma is decoded to half floats. The stream must outlive the
+/// rows.
 std::unique_ptr<ExrRows> open_exr_rows(ExrStream& stream, const ExrChoice& choice, const ExrPart& part,
                                        int threads);
 

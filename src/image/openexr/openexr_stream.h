@@ -1,4 +1,4 @@
-// What the OpenEXR library reads a file through.
+// The stream through which the OpenEXR library reads a file.
 #pragma once
 
 #include "image/byte_source.h"
@@ -12,18 +12,18 @@
 
 namespace lambent::image {
 
-/// The name by which the library calls what it reads.
-inline constexpr char exr_nameless[] = "it";
+/// The file name that the library is given and uses in its messages.
+inline constexpr char exr_stream_name[] = "it";
 
-/// A ByteSource, with the checked header in place of the one in the file.
+/// Reads a ByteSource, with the checked header instead of the file's own.
 class ExrStream : public Imf::IStream {
 public:
     ExrStream(ByteSource& source, std::vector<std::uint8_t> header)
-        : Imf::IStream(exr_nameless), source_(source), header_(std::move(header))
+        : Imf::IStream(exr_stream_name), source_(source), header_(std::move(header))
     {
     }
 
-    // Returns whether more can be read, by the library's contract.
+    // Returns whether bytes are left, as the library requires.
     bool read(char* out, int count) override
     {
         auto left = static_cast<std::size_t>(std::max(count, 0));

@@ -9,7 +9,7 @@
 namespace lambent::image {
 namespace {
 
-// Beyond eight, reading and copying limit; and the process should stay small.
+// With more than eight threads, reading and copying limit the speed, and the buffers take more memory.
 constexpr std::uint64_t most_threads = 8;
 constexpr std::uint64_t most_memory = std::uint64_t{1} << 25;
 constexpr std::int64_t worth_waking = std::int64_t{1} << 16;

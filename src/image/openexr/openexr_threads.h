@@ -1,12 +1,12 @@
-// The threads of the OpenEXR library, which are one pool for the process.
+// The thread pool of the OpenEXR library, of which a process has one.
 #pragma once
 
 #include <cstdint>
 
 namespace lambent::image {
 
-/// How many of OpenEXR's threads to use for `pixels` pixels; starts them when first needed. 0 where waking
-/// them costs more than it brings. `bytes_each` is the memory that each of them takes.
+/// Number of the library's threads to use for `pixels` pixels; the first call that needs them starts them. 0 if
+/// waking them would take longer than they save. `bytes_each` is the memory that each thread takes.
 int exr_threads(std::int64_t pixels, std::uint64_t bytes_each);
 
 } // namespace lambent::image

@@ -8,7 +8,7 @@ namespace {
 
 using Column = std::array<double, 3>;
 
-// [Lam 1985], rows.
+// The Bradford matrix by rows. [Lam 1985]
 constexpr ColourMatrix bradford = {
     {{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}};
 
@@ -31,7 +31,7 @@ Column product(const ColourMatrix& a, const Column& v)
     return result;
 }
 
-// By cofactors; nothing if it has none that is worth the name.
+// The inverse by cofactors; nothing if the determinant is nearly 0.
 std::optional<ColourMatrix> inverse(const ColourMatrix& m)
 {
     const auto cofactor = [&m](std::size_t i, std::size_t j) {
@@ -50,7 +50,7 @@ std::optional<ColourMatrix> inverse(const ColourMatrix& m)
     return result;
 }
 
-// XYZ of a white of luminance 1.
+// XYZ of a white with luminance 1.
 Column tristimulus(const Chromaticity& white)
 {
     return {white.x / white.y, 1.0, (1.0 - white.x - white.y) / white.y};

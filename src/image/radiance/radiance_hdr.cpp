@@ -19,7 +19,7 @@ RadianceHeader header_of(ByteSource& source)
         static_cast<std::size_t>(std::min<std::uint64_t>(source.size(), max_radiance_header)));
     source.read(0, bytes.data(), bytes.size());
     RadianceHeader header = read_radiance_header(bytes, source.name());
-    // A scanline has a pixel at least, and a repeat count where it has more pixels than one.
+    // A scanline has at least one pixel, and a repeat count if it has several.
     const std::uint64_t least = header.scanline_length() > 1 ? 8 : 4;
     if ((source.size() - header.length) / least < static_cast<std::uint64_t>(header.scanlines()))
         refuse(source.name(), "a file of ", source.size(), " bytes cannot hold the ", header.width, "x",
@@ -51,7 +51,7 @@ private:
         float* rgb;
     };
 
-    // One thread finds the scanlines, all of them decode.
+    // One thread finds the scanlines, all threads decode them.
     void stream_rows(int count, float* rgb)
     {
         const auto find = [&](tbb::flow_control& control) -> Work {
@@ -88,7 +88,7 @@ private:
     {
         const int scanlines = header_.scanlines();
         const int length = header_.scanline_length();
-        // Only reserved: memory is taken as the scanlines prove to be there.
+        // Reserved pages take no memory until the scanlines that the file really has are appended.
         pixels_.reserve(static_cast<std::size_t>(scanlines) * static_cast<std::size_t>(length));
         for (int found = 0; found < scanlines;) {
             const ScanlineBatch batch = stream_.next(scanlines - found);
@@ -110,7 +110,7 @@ private:
     RadianceHeader header_;
     ScanlineStream stream_;
     int row_ = 0;
-    std::vector<Rgbe> pixels_; ///< the whole picture in file order, unless that is the usual one
+    std::vector<Rgbe> pixels_; ///< the whole image in file order, unless that order is the usual one
 };
 
 } // namespace

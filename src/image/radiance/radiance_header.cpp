@@ -20,7 +20,7 @@ std::string_view trimmed(std::string_view line)
     return line.substr(first, line.find_last_not_of(blanks) - first + 1);
 }
 
-// The text up to the next blank; what is left starts behind it.
+// Removes the first word from `rest` and returns it.
 std::string_view take_word(std::string_view& rest)
 {
     rest = trimmed(rest);
@@ -30,7 +30,7 @@ std::string_view take_word(std::string_view& rest)
     return word;
 }
 
-// A whole word as a number.
+// The number that the whole word spells, if it does.
 template <class Number>
 std::optional<Number> parse_number(std::string_view word)
 {
@@ -96,12 +96,13 @@ private:
     {
         if (format == "32-bit_rle_xyze")
             refuse(name_, "its colours are XYZ (FORMAT=32-bit_rle_xyze), which is not supported; "
-                          "ra_xyze -r turns it into RGB");
+                          "ra_xyze -r converts it to RGB");
         if (format != "32-bit_rle_rgbe")
             refuse(name_, "its FORMAT is ", printable(format), " and not 32-bit_rle_rgbe");
     }
 
-    // One factor for all channels or one for each; those of all lines have been multiplied onto the pixels.
+    // A line has one factor for all channels or one for each. The factors of all lines multiply: the pixels were stored
+    // times their product.
     void read_exposure(std::string_view line, std::size_t factors)
     {
         std::string_view rest = line.substr(line.find('=') + 1);
@@ -112,7 +113,7 @@ private:
             if (!factor || !(*factor > 0.0))
                 refuse(name_, "cannot use the header line ", printable(line));
             exposure_[c] *= *factor;
-            // Outside of these bounds the quotient would not be a normal float.
+            // Within these bounds 1 / exposure is a normal float.
             if (!(exposure_[c] > 1e-30 && exposure_[c] < 1e30))
                 refuse(name_, "cannot use an exposure of ", exposure_[c]);
         }
@@ -120,7 +121,7 @@ private:
             refuse(name_, "cannot use the header line ", printable(line));
     }
 
-    // Two axes, the slower one first, each a sign with a letter and a length: "-Y 1024 +X 2048".
+    // The line has two axes, the slower one first, each with a sign, a letter and a length: "-Y 1024 +X 2048".
     void read_resolution(std::string_view line)
     {
         std::string_view rest = line;

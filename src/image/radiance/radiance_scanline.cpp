@@ -11,14 +11,14 @@ namespace {
 constexpr int longest_literal = 128;
 
 template <class... Parts>
-[[noreturn]] void refuse_scanline(const ScanlinePlace& place, const Parts&... parts)
+[[noreturn]] void refuse_scanline(const ScanlineId& id, const Parts&... parts)
 {
-    refuse(place.file, "scanline ", place.index, ": ", parts...);
+    refuse(id.file, "scanline ", id.index, ": ", parts...);
 }
 
-// Where a scanline of planes ends, or nothing.
+// Length of a scanline of planes in bytes; nothing if `bytes` end first.
 std::optional<std::size_t> end_of_planes(std::span<const std::uint8_t> bytes, int length,
-                                         const ScanlinePlace& place)
+                                         const ScanlineId& id)
 {
     std::size_t at = 4;
     for (int plane = 0; plane < 4; ++plane) {
@@ -31,10 +31,10 @@ std::optional<std::size_t> end_of_planes(std::span<const std::uint8_t> bytes, in
             left -= run ? code - longest_literal : code;
             at += run ? 2u : static_cast<std::size_t>(code) + 1;
             if (code == 0)
-                refuse_scanline(place, "a packet of no bytes");
+                refuse_scanline(id, "a packet of zero bytes");
         }
         if (left < 0)
-            refuse_scanline(place, "a packet goes beyond its end");
+            refuse_scanline(id, "a packet goes beyond its end");
     }
     return at <= bytes.size() ? std::optional(at) : std::nullopt;
 }
@@ -55,9 +55,9 @@ bool is_flat(std::span<const std::uint8_t> bytes, int length)
     return !repeats;
 }
 
-// Where a scanline of pixels and repeats ends, or nothing.
+// Length of a scanline of pixels and repeats in bytes; nothing if `bytes` end first.
 std::optional<std::size_t> end_of_pixels(std::span<const std::uint8_t> bytes, int length,
-                                         const ScanlinePlace& place)
+                                         const ScanlineId& id)
 {
     int shift = 0;
     std::int64_t left = length;
@@ -72,18 +72,19 @@ std::optional<std::size_t> end_of_pixels(std::span<const std::uint8_t> bytes, in
             continue;
         }
         if (at == 0)
-            refuse_scanline(place, "a repeat count before the first pixel");
+            refuse_scanline(id, "a repeat count before the first pixel");
         if (shift > 16)
-            refuse_scanline(place, "more than three repeat counts in a row");
+            refuse_scanline(id, "more than three repeat counts in a row");
         left -= std::int64_t{pixel[3]} << shift;
         shift += 8;
     }
     if (left < 0)
-        refuse_scanline(place, "a repeat count goes beyond its end");
+        refuse_scanline(id, "a repeat count goes beyond its end");
     return at;
 }
 
-// Sixteen bytes at a time, past the end if need be: most packets are shorter, and the branch is foreseen.
+// Copies 16 bytes at a time, if need be past the end (scanline_slack). Most packets are shorter, so that the
+// loop's branch is predicted well.
 void copy_steps(std::uint8_t* to, const std::uint8_t* from, int count)
 {
     for (int done = 0; done < count; done += 16)
@@ -98,29 +99,27 @@ void fill_steps(std::uint8_t* to, std::uint8_t value, int count)
 
 } // namespace
 
-std::optional<Scanline> find_scanline(std::span<const std::uint8_t> bytes, int length,
-                                      const ScanlinePlace& place)
+std::optional<Scanline> find_scanline(std::span<const std::uint8_t> bytes, int length, const ScanlineId& id)
 {
     if (has_planes(length)) {
         if (bytes.size() < 4)
             return std::nullopt;
         if (bytes[0] == 2 && bytes[1] == 2 && bytes[2] < 128) {
             if (bytes[2] * 256 + bytes[3] != length)
-                refuse_scanline(place, "it is ", bytes[2] * 256 + bytes[3], " pixels long instead of ",
-                                length);
-            const auto end = end_of_planes(bytes, length, place);
+                refuse_scanline(id, "it is ", bytes[2] * 256 + bytes[3], " pixels long instead of ", length);
+            const auto end = end_of_planes(bytes, length, id);
             return end ? std::optional(Scanline{ScanlineKind::planes, *end}) : std::nullopt;
         }
     }
     if (is_flat(bytes, length))
         return Scanline{ScanlineKind::flat, static_cast<std::size_t>(length) * 4};
-    const auto end = end_of_pixels(bytes, length, place);
+    const auto end = end_of_pixels(bytes, length, id);
     return end ? std::optional(Scanline{ScanlineKind::pixels, *end}) : std::nullopt;
 }
 
 void decode_planes(const std::uint8_t* bytes, int length, std::uint8_t* planes)
 {
-    // Packets never cross from one plane into the next: find_scanline saw to it.
+    // find_scanline has checked that no packet crosses into the next plane.
     const std::uint8_t* const end = planes + static_cast<std::size_t>(length) * 4;
     bytes += 4;
     while (planes < end) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t block_bytes = std::size_t{1} << 19;
 
-// Enough work for a thread to be worth waking, little enough for the floats to stay in its cache.
+// Enough pixels to be worth waking a thread, few enough for their floats to stay in its cache.
 constexpr int batch_pixels = 1 << 16;
 
 void interleave(const std::uint8_t* planes, std::size_t count, Rgbe* pixels)
@@ -19,7 +19,7 @@ void interleave(const std::uint8_t* planes, std::size_t count, Rgbe* pixels)
         pixels[i] = {planes[i], planes[count + i], planes[2 * count + i], planes[3 * count + i]};
 }
 
-// Room for one decoded scanline of either form.
+// Buffers for one decoded scanline, as planes or as pixels.
 struct Scratch {
     explicit Scratch(int length)
         : planes(static_cast<std::size_t>(length) * 4 + scanline_slack),

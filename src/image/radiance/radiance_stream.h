@@ -1,4 +1,4 @@
-// The scanlines of a Radiance picture in file order, found ahead of being decoded.
+// Finds the scanlines of a Radiance image in file order, before they are decoded.
 #pragma once
 
 #include "image/byte_source.h"
@@ -12,15 +12,15 @@
 
 namespace lambent::image {
 
-/// Some scanlines that follow each other, still encoded. Keeps its bytes alive.
+/// Consecutive encoded scanlines. Shares ownership of their bytes.
 class ScanlineBatch {
 public:
     int size() const { return static_cast<int>(scanlines_.size()); }
 
-    /// Decodes one scanline after the other as RGB: size() * length * 3 floats.
+    /// Decodes the scanlines to RGB: size() * length * 3 floats.
     void to_rgb(int length, const ChannelScale& scale, float* rgb) const;
 
-    /// Appends them as they are stored: size() * length pixels.
+    /// Decodes the scanlines to RGBE and appends these size() * length pixels.
     void append_to(std::vector<Rgbe>& pixels, int length) const;
 
 private:
@@ -35,13 +35,13 @@ private:
     std::vector<Located> scanlines_;
 };
 
-/// Reads a file block by block (half a megabyte and a scanline) and cuts it into scanlines. Finding where
-/// they end is much faster than decoding them, so that one thread finds them for several that decode.
+/// Reads a file in blocks of half a megabyte and a scanline and splits them into scanlines. Finding their ends
+/// is much faster than decoding, so that one thread does it for several that decode.
 class ScanlineStream {
 public:
     ScanlineStream(std::unique_ptr<ByteSource> source, const RadianceHeader& header);
 
-    /// The next scanlines: at least one, at most `most`, and no more than are good for one piece of work.
+    /// The next scanlines: at least one, at most `most`, and no more than suit one task of a thread.
     /// Throws Error(bad_input).
     ScanlineBatch next(int most);
 
@@ -50,10 +50,10 @@ private:
 
     std::unique_ptr<ByteSource> source_;
     int length_;
-    int found_ = 0;             ///< scanlines so far
-    std::uint64_t next_offset_; ///< of the file behind the block
+    int found_ = 0;             ///< number of scanlines found so far
+    std::uint64_t next_offset_; ///< of the end of the block in the file
     std::shared_ptr<std::uint8_t[]> block_;
-    std::size_t begin_ = 0; ///< of what is not yet cut, in the block
+    std::size_t begin_ = 0; ///< of the bytes in the block that are not yet split
     std::size_t end_ = 0;
 };
 

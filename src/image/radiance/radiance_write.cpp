@@ -11,7 +11,7 @@
 namespace lambent::image {
 namespace {
 
-// A run of less than four bytes is no shorter than staying in the literal around it.
+// A run of fewer than four bytes would not be shorter than the same bytes in the literals around it.
 constexpr std::size_t shortest_run = 4;
 constexpr std::size_t longest_run = 127;
 constexpr std::size_t most_literals = 128;

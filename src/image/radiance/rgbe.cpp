@@ -7,7 +7,7 @@
 namespace lambent::image {
 namespace {
 
-// For each exponent byte the value of mantissa 1. Looked up, the conversion runs at the speed of memory.
+// The value of mantissa 1 for each exponent byte. With this table the conversion runs at memory speed.
 const std::array<float, 256>& mantissa_steps()
 {
     static const std::array<float, 256> steps = [] {
@@ -19,19 +19,19 @@ const std::array<float, 256>& mantissa_steps()
     return steps;
 }
 
-// In double every product below is exact, and no float is subnormal.
+// 2^exponent as a double: products with floats are exact in double, and subnormal floats are normal doubles.
 double power_of_two(int exponent)
 {
     return std::bit_cast<double>(static_cast<std::int64_t>(exponent + 1023) << 52);
 }
 
-// The largest k with 2^k <= value, for a positive value.
+// The largest k with 2^k <= value, for positive values.
 int floor_log2(double value)
 {
     return static_cast<int>(std::bit_cast<std::int64_t>(value) >> 52) - 1023;
 }
 
-// Above 255 only when the exponent has reached its largest value.
+// The mantissa, rounded. It is clamped to 255, which only matters at the largest exponent.
 std::uint8_t mantissa(float value, double steps_per_unit)
 {
     const double steps = value > 0.0f ? value * steps_per_unit : 0.0;
@@ -70,7 +70,7 @@ void pixels_to_rgb(const Rgbe* pixels, std::size_t count, const ChannelScale& sc
 
 Rgbe to_rgbe(float red, float green, float blue)
 {
-    // Comparisons with NaN are false: a NaN never gets past the 0.
+    // Comparisons with NaN are false, so that NaN counts as 0.
     float largest = 0.0f;
     for (const float value : {red, green, blue})
         largest = value > largest ? value : largest;
@@ -78,9 +78,9 @@ Rgbe to_rgbe(float red, float green, float blue)
     if (largest < smallest)
         return {0, 0, 0, 0};
 
-    // For this e, largest / 2^(e-136) lies in [128, 256).
+    // With this exponent e, largest / 2^(e-136) is in [128, 256).
     int exponent = std::min(floor_log2(largest) + 129, 255);
-    // 255.5 and more would round to a mantissa of 256: the next exponent's 128.
+    // From 255.5 on the mantissa would round to 256, which is 128 with the next exponent.
     if (exponent < 255 && largest * power_of_two(136 - exponent) >= 255.5)
         ++exponent;
     const double steps_per_unit = power_of_two(136 - exponent);
