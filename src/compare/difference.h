@@ -10,7 +10,7 @@
 namespace lambent::compare {
 
 /// Both pictures of a comparison. Only red, green and blue count; coverage is not looked at. Both must have the same
-/// size, and finite values (see picture.h); the functions throw std::invalid_argument for pictures of different size.
+/// size, and finite values (see image_pair.h); the functions throw std::invalid_argument for pictures of different size.
 struct Pair {
     const image::RadianceImage& picture;
     const image::RadianceImage& reference;

@@ -70,9 +70,9 @@ const std::array<float, decoding_steps + 2>& decoding_table()
 float decoded(float code)
 {
     static const std::array<float, decoding_steps + 2>& table = decoding_table();
-    const float place = std::clamp(code, 0.0f, 1.0f) * decoding_steps;
-    const auto i = static_cast<std::size_t>(place);
-    return table[i] + (table[i + 1] - table[i]) * (place - static_cast<float>(i));
+    const float position = std::clamp(code, 0.0f, 1.0f) * decoding_steps;
+    const auto i = static_cast<std::size_t>(position);
+    return table[i] + (table[i + 1] - table[i]) * (position - static_cast<float>(i));
 }
 
 float tone_mapped(float light)

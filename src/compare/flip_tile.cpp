@@ -25,10 +25,10 @@ std::size_t index(int i)
 enum Plane { achromatic, red_green, blue_yellow_0, blue_yellow_1, smooth, edge, point, plane_count };
 
 // A rectangle of one picture as FLIP's two pipelines see it, row by row.
-class Seen {
+class FilteredTile {
 public:
-    Seen(const image::RadianceImage& picture, const FlipFilters& filters, const Shown& shown,
-         const Tile& tile);
+    FilteredTile(const image::RadianceImage& picture, const FlipFilters& filters, const Shown& shown,
+                 const Tile& tile);
 
     // Computes what follows for a row of the tile.
     void find_row(int y);
@@ -89,8 +89,8 @@ Color displayed(const float* rgb, const Shown& shown)
             tone_mapped(rgb[2] * shown.factor)};
 }
 
-Seen::Seen(const image::RadianceImage& picture, const FlipFilters& filters, const Shown& shown,
-           const Tile& tile)
+FilteredTile::FilteredTile(const image::RadianceImage& picture, const FlipFilters& filters,
+                           const Shown& shown, const Tile& tile)
     : filters_(filters), tile_(tile), border_(filters.radius)
 {
     for (Row* row : {&lightness, &a, &b, &edges, &points, &first_, &second_})
@@ -106,7 +106,7 @@ Seen::Seen(const image::RadianceImage& picture, const FlipFilters& filters, cons
 }
 
 // The paper's Y, Cx and Cz are these, scaled and moved, which filters whose weights add up to 1 do not notice.
-void Seen::read_row(const image::RadianceImage& picture, const Shown& shown, int y)
+void FilteredTile::read_row(const image::RadianceImage& picture, const Shown& shown, int y)
 {
     for (int i = 0; i < tile_.width + 2 * border_; ++i) {
         const int x = std::clamp(tile_.left + i - border_, 0, picture.width - 1);
@@ -117,7 +117,7 @@ void Seen::read_row(const image::RadianceImage& picture, const Shown& shown, int
     }
 }
 
-void Seen::filter_row(int y)
+void FilteredTile::filter_row(int y)
 {
     const auto put = [&](Plane plane, const Row& in, const Filter& filter) {
         float* out = row(plane, y);
@@ -135,13 +135,13 @@ void Seen::filter_row(int y)
 }
 
 // out += share * the plane filtered along columns at the row y_.
-void Seen::down(Plane plane, const Filter& filter, float share, Row& out) const
+void FilteredTile::down(Plane plane, const Filter& filter, float share, Row& out) const
 {
     add_filtered(
         filter, share, tile_.width, [&](int k) { return row(plane, y_ + k); }, out.data());
 }
 
-void Seen::find_row(int y)
+void FilteredTile::find_row(int y)
 {
     y_ = y + border_;
     const auto both_ways = [&](Plane across, Plane along_rows, const Filter& filter, Row& strength) {
@@ -173,7 +173,7 @@ void Seen::find_row(int y)
 }
 
 // Sections 4.2.2 and 4.3: where features differ, colours count for more.
-float flip_error(const Seen& p, const Seen& q, std::size_t x)
+float flip_error(const FilteredTile& p, const FilteredTile& q, std::size_t x)
 {
     const float color = color_error(hyab({p.lightness[x], p.a[x], p.b[x]}, {q.lightness[x], q.a[x], q.b[x]}));
     const float feature = std::max(std::fabs(p.edges[x] - q.edges[x]), std::fabs(p.points[x] - q.points[x]));
@@ -188,7 +188,7 @@ float flip_error(const Seen& p, const Seen& q, std::size_t x)
 void flip_tile(const Pair& pair, const FlipFilters& filters, const Shown& shown, const Tile& tile,
                ErrorMap& map)
 {
-    Seen picture(pair.picture, filters, shown, tile), reference(pair.reference, filters, shown, tile);
+    FilteredTile picture(pair.picture, filters, shown, tile), reference(pair.reference, filters, shown, tile);
     for (int y = 0; y < tile.height; ++y) {
         picture.find_row(y);
         reference.find_row(y);

@@ -18,7 +18,7 @@ enum class Kind {
 const char* name_of(Kind kind);
 
 /// Two pictures of one size and kind, RGB without coverage, every value finite.
-struct Pictures {
+struct ImagePair {
     Kind kind = Kind::srgb;
     image::RadianceImage picture;
     image::RadianceImage reference;
@@ -27,8 +27,8 @@ struct Pictures {
 /// Reads both. Sizes and kinds are compared before pixels are read. Values that are not finite become 0, with one
 /// warning for each file that counts them: an error that only one picture has is seen, and one that both have is not
 /// hidden by being added to everything. Alpha is left out. Throws Error(bad_input).
-Pictures read_pictures(const std::filesystem::path& picture, const std::filesystem::path& reference,
-                       Warnings& warnings);
+ImagePair read_image_pair(const std::filesystem::path& picture, const std::filesystem::path& reference,
+                          Warnings& warnings);
 
 /// Multiplies all values. Products stay finite.
 void expose(image::RadianceImage& picture, float factor);
