@@ -67,9 +67,9 @@ void check(const BakeOptions& options)
 {
     if (options.size < 1 || options.size > 4096 || !std::has_single_bit(static_cast<unsigned>(options.size)))
         throw Error(Failure::usage,
-                    text("faces of ", options.size, " texels: a power of two up to 4096 is possible"));
+                    text("a face size of ", options.size, " texels is not a power of two from 1 to 4096"));
     if (!(options.error >= 0.0005 && options.error <= 0.2))
-        throw Error(Failure::usage, text("an error of ", options.error, ": 0.0005 to 0.2 is possible"));
+        throw Error(Failure::usage, text("an error of ", options.error, " is not from 0.0005 to 0.2"));
 }
 
 // Of level after level what an error asks for, until a check finds it there.
@@ -124,7 +124,8 @@ BakedSpecular bake_specular(const Panorama& panorama, const BakeOptions& options
 image::CubeMap bake_irradiance(const Panorama& panorama, int size, const FillFaces& fill)
 {
     if (size < 1 || size > 4096)
-        throw Error(Failure::usage, text("irradiance faces of ", size, " texels: 1 to 4096 are possible"));
+        throw Error(Failure::usage,
+                    text("an irradiance face size of ", size, " texels is not from 1 to 4096"));
     const Enlarged large(panorama, 64, 32);
     image::CubeMap cube = image::make_cube_map(size, 1);
     const LightTree tree(large.panorama, irradiance_extent);
