@@ -35,10 +35,10 @@ vec3 curve(Tone tone, vec3 c)
 vec3 displayed(const Settings& s, vec3 light)
 {
     // Beyond 1e30 every curve is white; NaN compares false and becomes black.
-    const vec3 believed = vec3(select(light.x > 0.0, min(light.x, 1.0e30), 0.0),
-                               select(light.y > 0.0, min(light.y, 1.0e30), 0.0),
-                               select(light.z > 0.0, min(light.z, 1.0e30), 0.0));
-    const vec3 exposed = min(Real(s.exposure) * believed, vec3(1.0e30));
+    const vec3 valid = vec3(select(light.x > 0.0, min(light.x, 1.0e30), 0.0),
+                            select(light.y > 0.0, min(light.y, 1.0e30), 0.0),
+                            select(light.z > 0.0, min(light.z, 1.0e30), 0.0));
+    const vec3 exposed = min(Real(s.exposure) * valid, vec3(1.0e30));
     const vec3 toned = clamp(curve(s.tone, exposed), 0.0, 1.0);
     const bool by_power = s.tone == Tone::reinhard || s.tone == Tone::agx;
     const float exponent = s.encode && by_power ? s.contrast / 2.2f : s.contrast;
@@ -104,9 +104,9 @@ Real triangular_noise(Int x, int y, int channel)
     };
     // In unsigned numbers, which may overflow.
     const uint32_t row = static_cast<uint32_t>(y) * 0x1f123u + static_cast<uint32_t>(channel) * 0x5851u;
-    const Int place = hn::Add(x, integer(static_cast<int>(row)));
-    const Int other = hn::Add(place, integer(0x3ade68b));
-    return to_real(hn::Sub(hash(place), hash(other))) * (1.0 / 65536.0);
+    const Int seed = hn::Add(x, integer(static_cast<int>(row)));
+    const Int other = hn::Add(seed, integer(0x3ade68b));
+    return to_real(hn::Sub(hash(seed), hash(other))) * (1.0 / 65536.0);
 }
 
 Int rounded(const Settings& s, Real value, Int x, int y, int channel)

@@ -66,10 +66,10 @@ double relative_error(const std::vector<TexelSum>& sums, const std::vector<const
 
 } // namespace
 
-Direction texel_direction(const TexelPlace& place)
+Direction texel_direction(const CubeTexel& texel)
 {
-    return cube_direction(place.face, (2.0 * place.x + 1.0) / place.size - 1.0,
-                          (2.0 * place.y + 1.0) / place.size - 1.0);
+    return cube_direction(texel.face, (2.0 * texel.x + 1.0) / texel.size - 1.0,
+                          (2.0 * texel.y + 1.0) / texel.size - 1.0);
 }
 
 std::vector<double> check_levels(const Panorama& panorama, TexelMeaning meaning, const image::CubeMap& cube,

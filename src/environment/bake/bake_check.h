@@ -23,9 +23,9 @@ std::vector<double> check_levels(const Panorama& panorama, TexelMeaning meaning,
                                  const std::vector<CheckedLevel>& levels);
 
 /// The direction of a texel's middle.
-struct TexelPlace {
+struct CubeTexel {
     int face, x, y, size;
 };
-Direction texel_direction(const TexelPlace& place);
+Direction texel_direction(const CubeTexel& texel);
 
 } // namespace lambent::environment

@@ -94,7 +94,7 @@ struct Prefilter::Cap {
 // Finds cells that stand for all light which a cap sees.
 class Prefilter::Walk {
 public:
-    Walk(const Prefilter& prefilter, const Cap& cap, Scratch& scratch, std::vector<Scratch::Place>* left)
+    Walk(const Prefilter& prefilter, const Cap& cap, Scratch& scratch, std::vector<Scratch::CellIndex>* left)
         : prefilter_(prefilter), cap_(cap), scratch_(scratch), left_(left)
     {
     }
@@ -108,7 +108,7 @@ private:
     const Prefilter& prefilter_;
     const Cap& cap_;
     Scratch& scratch_;
-    std::vector<Scratch::Place>* left_; // null: nothing may be left
+    std::vector<Scratch::CellIndex>* left_; // null: nothing may be left
 };
 
 void Prefilter::Walk::take(const LightCell& cell, int depth, int column, int row)
@@ -181,7 +181,7 @@ void Prefilter::fill(PrefilterPatch& patch, Scratch& scratch) const
     for (PrefilterPatch::Sums* sums : {&patch.dim, &patch.bright})
         for (float* column : {sums->r, sums->g, sums->b, sums->weight})
             std::fill_n(column, PrefilterPatch::tile * patch.tiles, 0.0f);
-    std::vector<Scratch::Place>& all = scratch.left[0];
+    std::vector<Scratch::CellIndex>& all = scratch.left[0];
     all.clear();
     const int top = static_cast<int>(tree_.levels().size()) - 1;
     for (int row = 0; row < tree_.levels().back().height; ++row)
@@ -197,13 +197,13 @@ void Prefilter::fill(PrefilterPatch& patch, const Part& part, Scratch& scratch) 
     constexpr std::size_t tile = PrefilterPatch::tile;
     const bool whole = part.tiles == 1;
     const Cap cap(patch, tile * part.first, tile * part.tiles);
-    std::vector<Scratch::Place>& left = scratch.left[part.depth + 1];
+    std::vector<Scratch::CellIndex>& left = scratch.left[part.depth + 1];
     left.clear();
     scratch.dim.clear();
     scratch.bright.clear();
     Walk walk(*this, cap, scratch, whole ? nullptr : &left);
-    for (const Scratch::Place& place : scratch.left[part.depth])
-        walk.visit(place.depth, place.column, place.row);
+    for (const Scratch::CellIndex& index : scratch.left[part.depth])
+        walk.visit(index.depth, index.column, index.row);
     add_cells(scratch.dim, lobe_, {patch, patch.dim, tile * part.first, tile * part.tiles});
     add_cells(scratch.bright, lobe_, {patch, patch.bright, tile * part.first, tile * part.tiles});
     if (whole || left.empty())

@@ -51,10 +51,10 @@ public:
 
     /// What a thread keeps from patch to patch for its memory.
     struct Scratch {
-        struct Place {
+        struct CellIndex {
             int depth, column, row;
         };
-        std::vector<Place> left[6];         // by depth of the part of the patch
+        std::vector<CellIndex> left[6];     // by depth of the part of the patch
         std::vector<LightCell> dim, bright; // cells
     };
 

@@ -59,7 +59,7 @@ void EnvironmentCache::keep(const std::string& key, const MadeEnvironment& made)
         if (bytes.size() > limit_ / 2)
             return;
         fs::create_directories(folder_);
-        make_room(bytes.size());
+        evict(bytes.size());
         write_file(path_of(key), bytes);
     } catch (const std::exception&) {
         return; // a full disk, a folder that may not be written to: then there is no cache
@@ -67,7 +67,7 @@ void EnvironmentCache::keep(const std::string& key, const MadeEnvironment& made)
 }
 
 // Removes the oldest files until there is room. Temporary ones that a killed process left go with their age, too.
-void EnvironmentCache::make_room(std::uint64_t bytes) const
+void EnvironmentCache::evict(std::uint64_t bytes) const
 {
     struct Kept {
         fs::file_time_type used;

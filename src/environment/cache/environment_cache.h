@@ -25,7 +25,7 @@ public:
 
 private:
     std::filesystem::path path_of(const std::string& key) const;
-    void make_room(std::uint64_t bytes) const;
+    void evict(std::uint64_t bytes) const;
 
     std::filesystem::path folder_;
     std::uint64_t limit_;

@@ -59,11 +59,11 @@ Light light_at(const CubeChain& chain, std::size_t texel)
 }
 
 // A place of an edge, from one of its faces: the texel within, the border's beyond, and the same two of the other face.
-struct EdgePlace {
+struct EdgeTexels {
     std::size_t inner, border, other_inner, other_border;
 };
 
-EdgePlace edge_place(const CubeChain& chain, int level, int face, int x, int y)
+EdgeTexels edge_texels(const CubeChain& chain, int level, int face, int x, int y)
 {
     const int size = chain.face_size(level), last = size - 1;
     constexpr double beyond = 1e-6; // of the edge
@@ -83,12 +83,12 @@ EdgePlace edge_place(const CubeChain& chain, int level, int face, int x, int y)
             chain.texel(level, p.face, border_x, border_y)};
 }
 
-struct Change {
+struct TexelChange {
     std::size_t texel;
     Light light;
 };
 
-void make(const std::vector<Change>& changes, CubeChain& chain)
+void store_changes(const std::vector<TexelChange>& changes, CubeChain& chain)
 {
     for (const auto& [texel, light] : changes)
         for (std::size_t k = 0; k < 3; ++k)
@@ -100,11 +100,11 @@ void make(const std::vector<Change>& changes, CubeChain& chain)
 void join_edges(CubeChain& chain, int level)
 {
     const int size = chain.face_size(level);
-    std::array<std::vector<Change>, 6> changes; // by face
+    std::array<std::vector<TexelChange>, 6> changes; // by face
     tbb::parallel_for(0, 6, [&](int face) {
         for (int i = 0; i < size; ++i)
             for (const auto& [x, y] : {std::pair(i, -1), {i, size}, {-1, i}, {size, i}}) {
-                const EdgePlace at = edge_place(chain, level, face, x, y);
+                const EdgeTexels at = edge_texels(chain, level, face, x, y);
                 const Light inner = light_at(chain, at.inner), border = light_at(chain, at.border);
                 const Light other = light_at(chain, at.other_inner),
                             beyond = light_at(chain, at.other_border);
@@ -114,8 +114,8 @@ void join_edges(CubeChain& chain, int level)
                 changes[static_cast<std::size_t>(face)].push_back({at.border, joined});
             }
     });
-    for (const std::vector<Change>& of_face : changes)
-        make(of_face, chain);
+    for (const std::vector<TexelChange>& of_face : changes)
+        store_changes(of_face, chain);
 }
 
 // The same for the corners, where three faces meet, each with the mean of four texels.
@@ -145,13 +145,13 @@ void join_corners(CubeChain& chain, int level)
                     sums[vertex][k] += (corners.back().rest[k] + own[k]) / 3.0f;
                 }
             }
-    std::vector<Change> changes;
+    std::vector<TexelChange> changes;
     for (const Corner& corner : corners) {
         const Light& sum = sums[corner.vertex];
         changes.push_back(
             {corner.border, {sum[0] - corner.rest[0], sum[1] - corner.rest[1], sum[2] - corner.rest[2]}});
     }
-    make(changes, chain);
+    store_changes(changes, chain);
 }
 
 } // namespace

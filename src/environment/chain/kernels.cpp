@@ -43,8 +43,8 @@ mat3 frame_on_face(int face, vec3 d)
 HWY_FLATTEN void resample_row(const ResampleRow& row, CubeChain& chain)
 {
     const Panorama& p = *row.panorama;
-    const PanoramaView picture{reinterpret_cast<const int32_t*>(p.texels.data()), p.width, p.height,
-                               row.limit / p.scale};
+    const PanoramaView panorama_view{reinterpret_cast<const int32_t*>(p.texels.data()), p.width, p.height,
+                                     row.limit / p.scale};
     const int size = chain.face_size(0);
     const Real scale = p.scale / chain.scale;
     uint16_t* out = chain.halfs() + 3 * chain.texel(0, row.face, 0, row.y);
@@ -55,7 +55,8 @@ HWY_FLATTEN void resample_row(const ResampleRow& row, CubeChain& chain)
             const Real t = (static_cast<float>(row.y) + point.y) * 2.0f / static_cast<float>(size) - 1.0f;
             const vec3 d = direction_from_cube(row.face, face_coordinate(x, point.x, size), t);
             const Real inverse = inversesqrt(dot(d, d)), solid_angle = inverse * inverse * inverse;
-            sum += solid_angle * panorama_bilinear(picture, equirectangular_from_direction(inverse * d));
+            sum +=
+                solid_angle * panorama_bilinear(panorama_view, equirectangular_from_direction(inverse * d));
             solid_angles += solid_angle;
         }
         store_halfs(scale / solid_angles * sum, lanes_left(x, row.end), out + 3 * x);

@@ -24,7 +24,7 @@ double light_of(const Peak& peak)
 }
 
 // Peaks taken together.
-struct Gathered {
+struct LampSum {
     double light[3] = {}, moment[3] = {}, weight = 0.0;
 
     void add(const Peak& peak)
@@ -61,14 +61,14 @@ struct Gathered {
 };
 
 // The brightest first, each joins the nearest lamp within `radius` or is a new one. Gives up above most_lamps.
-std::vector<Lamp> gathered(std::vector<Peak> peaks, double radius)
+std::vector<Lamp> gather_lamps(std::vector<Peak> peaks, double radius)
 {
     std::sort(peaks.begin(), peaks.end(),
               [](const Peak& a, const Peak& b) { return light_of(a) > light_of(b); });
-    std::vector<Gathered> all;
+    std::vector<LampSum> all;
     for (const Peak& peak : peaks) {
         const auto nearest =
-            std::min_element(all.begin(), all.end(), [&](const Gathered& a, const Gathered& b) {
+            std::min_element(all.begin(), all.end(), [&](const LampSum& a, const LampSum& b) {
                 return a.squared_chord(peak) < b.squared_chord(peak);
             });
         if (nearest != all.end() && nearest->squared_chord(peak) < radius * radius)
@@ -80,7 +80,7 @@ std::vector<Lamp> gathered(std::vector<Peak> peaks, double radius)
     }
     std::vector<Lamp> lamps;
     lamps.reserve(all.size());
-    for (const Gathered& one : all)
+    for (const LampSum& one : all)
         lamps.push_back(one.lamp());
     return lamps;
 }
@@ -93,7 +93,7 @@ Lamps choose_lamps(const Peaks& peaks, const CubeChain& chain)
         const double next = std::numbers::pi / 2.0 / chain.face_size(level + 1);
         const double texel = level == 0 ? std::min(next, widest_texel) : next;
         std::vector<Lamp> lamps =
-            gathered(merged(peaks.peaks, static_cast<float>(0.5 * texel)), lamp_reach * texel);
+            gather_lamps(merged(peaks.peaks, static_cast<float>(0.5 * texel)), lamp_reach * texel);
         if (lamps.size() <= most_lamps)
             return {std::move(lamps), level};
     }

@@ -86,14 +86,14 @@ struct Range {
 // Of each row of level 0, face * size + y.
 using Rows = std::vector<std::vector<Range>>;
 
-void resample(const Resampling& how, const Rows& rows, CubeChain& chain)
+void resample(const Resampling& resampling, const Rows& rows, CubeChain& chain)
 {
     const int size = chain.face_size(0);
     tbb::parallel_for(0, 6 * size, [&](int index) {
         for (const Range& range : rows[static_cast<std::size_t>(index)])
-            resample_row(
-                {how.panorama, how.limit, &how.points, index / size, index % size, range.first, range.end},
-                chain);
+            resample_row({resampling.panorama, resampling.limit, &resampling.points, index / size,
+                          index % size, range.first, range.end},
+                         chain);
     });
     fill_borders(chain, 0);
 }
@@ -178,12 +178,12 @@ void add_peaks(const Peaks& peaks, int level, CubeChain& chain)
     fill_borders(chain, level);
 }
 
-// `apart` says which lamps are left out of which levels.
-Blurs build(const Panorama& panorama, Lamps (*apart)(const Peaks&, const CubeChain&))
+// `choose` says which lamps are left out of which levels.
+Blurs build(const Panorama& panorama, Lamps (*choose)(const Peaks&, const CubeChain&))
 {
     const int log2_size = log2_face_size(panorama.width);
     if (panorama.width > (6 << log2_size) && panorama.width % 2 == 0 && panorama.height % 2 == 0)
-        return build(halved(panorama), apart);
+        return build(halved(panorama), choose);
     Blurs blurs;
     CubeChain& chain = blurs.chain;
     chain.allocate(log2_size, log2_size);
@@ -195,7 +195,7 @@ Blurs build(const Panorama& panorama, Lamps (*apart)(const Peaks&, const CubeCha
     for (int level = 1; level < chain.levels; ++level)
         blur_level(level, chain);
     if (!peaks.peaks.empty()) {
-        blurs.lamps = apart(peaks, chain);
+        blurs.lamps = choose(peaks, chain);
         const int end = std::min(blurs.lamps.last_level + 1, chain.levels);
         tbb::parallel_for(1, std::max(end, 1), [&](int level) { add_peaks(peaks, level, chain); });
         resample_peaks(panorama, peaks, chain);

@@ -13,7 +13,7 @@ constexpr int most_layers = 16;
 
 bool sound(float v)
 {
-    return std::isfinite(v) && v <= brightest_believed;
+    return std::isfinite(v) && v <= brightest_valid;
 }
 
 // A panorama's texels by their index, packed or not.
@@ -74,7 +74,7 @@ void BrokenTexels::blacken(std::span<float> rgb, std::size_t first_texel)
     // Nearly every row is sound: one pass that the compiler turns into SIMD decides.
     bool all_sound = true;
     for (const float v : rgb)
-        all_sound &= v >= 0.0f && v <= brightest_believed;
+        all_sound &= v >= 0.0f && v <= brightest_valid;
     if (all_sound)
         return;
     for (std::size_t i = 0; i < rgb.size(); i += 3) {
@@ -122,7 +122,7 @@ void BrokenTexels::mend_texels(Texels& panorama, const std::string& name, Warnin
         left = std::move(still);
     }
     warnings.push_back(text(name, ": ", texels_.size(), " of ", count, " texels are not finite or above ",
-                            brightest_believed, "; each is replaced by the mean of its neighbours"));
+                            brightest_valid, "; each is replaced by the mean of its neighbours"));
 }
 
 void BrokenTexels::mend(Panorama& panorama, const std::string& name, Warnings& warnings) const

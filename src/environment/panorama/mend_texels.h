@@ -12,11 +12,11 @@
 namespace lambent::environment {
 
 /// Above this a texel is taken for broken, not bright: six times the radiance of the sun's disc in nits.
-constexpr float brightest_believed = 1.0e10f;
+constexpr float brightest_valid = 1.0e10f;
 
 class BrokenTexels {
 public:
-    /// Sets texels that are not finite, negative or above brightest_believed to black and remembers them.
+    /// Sets texels that are not finite, negative or above brightest_valid to black and remembers them.
     /// `rgb` holds whole texels; the first has the given index in the panorama.
     void blacken(std::span<float> rgb, std::size_t first_texel);
 

@@ -60,7 +60,7 @@ private:
 };
 
 /// What is left after extinction of `depth`: exp(-depth), band by band.
-Spectrum left_after(const Spectrum& depth);
+Spectrum transmitted(const Spectrum& depth);
 
 /// Cosine of the angle from the vertical at which the ground's edge is seen.
 double horizon_cosine(double altitude);

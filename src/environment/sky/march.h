@@ -34,7 +34,7 @@ Spectrum march(const Atmosphere& atmosphere, const Ray& ray, double length, int 
         const Ray point = further_along(ray, distance);
         const Densities densities = atmosphere.densities(point.altitude);
         const Spectrum extinction = atmosphere.deflection(densities);
-        const Spectrum left = left_after(step * extinction);
+        const Spectrum left = transmitted(step * extinction);
         visit(distance, point, densities, passed * effective_length(extinction, left, step));
         passed *= left;
     }

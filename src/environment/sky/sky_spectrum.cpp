@@ -48,12 +48,12 @@ Rgb rec709(Xyz c)
 }
 
 // Where a wavelength lies between the bands: so much of `first`, the rest of the one after it.
-struct Place {
+struct BandBlend {
     int first;
     double share;
 };
 
-Place place(double nm)
+BandBlend bands_at(double nm)
 {
     int first = 0;
     while (first < band_count - 2 && nm > band_wavelengths[static_cast<std::size_t>(first) + 1])
@@ -71,7 +71,7 @@ std::array<Rgb, band_count> make_weights()
     std::array<Xyz, band_count> sums{};
     double nm = sunlight_start + 0.5 * sunlight_step;
     for (const double watts : sunlight) {
-        const Place p = place(nm);
+        const BandBlend p = bands_at(nm);
         const Xyz eye = colour_matching(nm);
         const double lumens = lumens_per_watt * sunlight_step * watts;
         for (const int side : {0, 1}) {
