@@ -13,7 +13,7 @@
 namespace lambent::environment {
 namespace {
 
-// Bilinear among the face's own texels: beyond the outermost centres the outermost texel goes on.
+// A bilinear lookup among the face's own texels, clamped to the outermost texel centres.
 Rgb inner_lookup(const CubeChain& chain, int level, const FacePosition& p)
 {
     const int size = chain.face_size(level);
@@ -34,7 +34,8 @@ Rgb inner_lookup(const CubeChain& chain, int level, const FacePosition& p)
     return {channel(0), channel(1), channel(2)};
 }
 
-// Diagonally beyond a corner it is both neighbours' equally: the mean of what a little more along either side meets.
+// Fills a border texel from the face that its direction meets. Diagonally beyond a corner it is the mean of both
+// neighbouring faces, each found by moving slightly further along one side.
 void fill_border_texel(CubeChain& chain, int level, int face, int x, int y)
 {
     const int size = chain.face_size(level);
@@ -49,7 +50,7 @@ void fill_border_texel(CubeChain& chain, int level, int face, int x, int y)
     out[2] = to_half(0.5f * (a.b + b.b));
 }
 
-// Three values of a texel.
+// RGB of a texel.
 using Light = std::array<float, 3>;
 
 Light light_at(const CubeChain& chain, std::size_t texel)
@@ -58,7 +59,8 @@ Light light_at(const CubeChain& chain, std::size_t texel)
     return {from_half(halfs[0]), from_half(halfs[1]), from_half(halfs[2])};
 }
 
-// A place of an edge, from one of its faces: the texel within, the border's beyond, and the same two of the other face.
+// The texels at one point of an edge: the inner texel of a face and the border texel beyond it, and the same two of the
+// other face.
 struct EdgeTexels {
     std::size_t inner, border, other_inner, other_border;
 };
@@ -66,7 +68,7 @@ struct EdgeTexels {
 EdgeTexels edge_texels(const CubeChain& chain, int level, int face, int x, int y)
 {
     const int size = chain.face_size(level), last = size - 1;
-    constexpr double beyond = 1e-6; // of the edge
+    constexpr double beyond = 1e-6; // distance past the edge
     const auto coordinate = [size](int i) {
         return i < 0 ? -1.0 - beyond : i >= size ? 1.0 + beyond : (2.0 * i + 1.0) / size - 1.0;
     };
@@ -95,8 +97,8 @@ void store_changes(const std::vector<TexelChange>& changes, CubeChain& chain)
             chain.halfs()[3 * texel + k] = to_half(std::max(light[k], 0.0f));
 }
 
-// On an edge, half way between the inner texel and the border's, both faces shall read the same: what they read less or
-// more is shared between their borders.
+// Lookups on an edge, half way between the inner and the border texel, must agree between both faces: their difference
+// is split equally between the two borders.
 void join_edges(CubeChain& chain, int level)
 {
     const int size = chain.face_size(level);
@@ -118,7 +120,7 @@ void join_edges(CubeChain& chain, int level)
         store_changes(of_face, chain);
 }
 
-// The same for the corners, where three faces meet, each with the mean of four texels.
+// The same for the corners, where three faces meet and each reads the mean of four texels.
 void join_corners(CubeChain& chain, int level)
 {
     const int size = chain.face_size(level);

@@ -1,9 +1,9 @@
 // Looking up a CubeChain with lanes of directions. Included after wide/wide.h, inside the target's namespace: no guard.
 //
-// No gather: on most processors a gather costs one load a lane anyway, and reads one texel with it. Here the lanes'
+// No gather is used: on most processors it costs one load per lane, and each load reads only one texel. Here the lanes'
 // addresses and fractions are written to a queue of a few samples; then each lane goes through its samples, loads two
 // neighbouring texels at a time (six halfs of eight), filters them as one vector and keeps its sums in registers.
-// 0.7 of the time of gathers of packed texels (bench/specular).
+// This takes 0.7 of the time of gathers of packed texels (bench/specular).
 
 #include "environment/chain/wide_texel_pair.h"
 #include "environment/chain/wide_taps.h"
@@ -15,7 +15,7 @@ HWY_INLINE vec3 load_rgbx(const float* four_per_lane)
     return {r, g, b};
 }
 
-// Lanes of sums of pairs, as lanes of RGB: the two texels added up.
+// RGB of each lane from its sum of pairs: the two texels added.
 HWY_INLINE vec3 load_sums(const float (*eight)[8])
 {
     alignas(64) float rgbx[4 * max_lanes];
@@ -25,14 +25,14 @@ HWY_INLINE vec3 load_sums(const float (*eight)[8])
     return load_rgbx(rgbx);
 }
 
-// Samples of the chain between levels, added up with two weights each.
+// Two sums of trilinear samples of the chain, each with weights of its own.
 class CubeSums {
 public:
     explicit HWY_INLINE CubeSums(CubeView cube) : cube_(cube) { clear(); }
 
     HWY_INLINE void clear() { memset(sums_, 0, sizeof sums_); }
 
-    // From direction d, any length, as GLSL's textureLod; level is clamped to the chain.
+    // Adds the sample in direction d, of any length, as GLSL's textureLod; level is clamped to the chain.
     HWY_INLINE void add(vec3 d, Real level, Real first_weight, Real second_weight)
     {
         Sample& s = queue_[queued_];
@@ -49,12 +49,12 @@ public:
             flush();
     }
 
-    // The sums, as halfs: radiance over the chain's scale.
+    // The sums, of radiance over the chain's scale.
     HWY_INLINE vec3 first() { return sum(0); }
     HWY_INLINE vec3 second() { return sum(1); }
 
 private:
-    static constexpr int queue_length = 4; // longer ones fall out of the innermost cache
+    static constexpr int queue_length = 4; // longer queues do not fit the first-level cache
 
     struct Sample {
         LevelTaps fine, coarse;
@@ -92,7 +92,7 @@ private:
     alignas(64) float sums_[2][max_lanes][8];
 };
 
-// One sample, RGB over the chain's scale, between levels.
+// One trilinear sample, RGB over the chain's scale.
 HWY_INLINE vec3 cube_trilinear(CubeView cube, vec3 d, Real level)
 {
     CubeSums sums(cube);
@@ -100,7 +100,7 @@ HWY_INLINE vec3 cube_trilinear(CubeView cube, vec3 d, Real level)
     return sums.first();
 }
 
-// Samples of one level, added up.
+// A sum of bilinear samples of one level.
 class LevelSums {
 public:
     HWY_INLINE LevelSums(CubeView cube, Int level) : halfs_(cube.halfs), shape_(level_shape(cube, level))
@@ -108,7 +108,7 @@ public:
         memset(sums_, 0, sizeof sums_);
     }
 
-    // From direction d, any length.
+    // Adds the sample in direction d, of any length.
     HWY_INLINE void add(vec3 d)
     {
         find_taps(shape_, cube_from_direction(d), queue_[queued_]);
@@ -144,7 +144,7 @@ private:
     alignas(64) float sums_[max_lanes][8];
 };
 
-// One sample at a whole level.
+// One bilinear sample of a level, RGB over the chain's scale.
 HWY_INLINE vec3 cube_bilinear(CubeView cube, vec3 d, Int level)
 {
     LevelSums sums(cube, level);

@@ -1,13 +1,14 @@
-// Where the texels of bilinear lookups in a CubeChain are, for lanes of directions. Included by wide_cube.h: no guard.
+// Addresses of the texels that bilinear lookups in a CubeChain read, for lanes. Included by wide_cube.h: no guard.
 
-// What the lookups need of a CubeChain, without std::.
+// The members of a CubeChain that lookups read, without std:: types.
 struct CubeView {
     const uint16_t* halfs;
     int log2_size;
     int levels;
 };
 
-// The lanes' texels at one level: where the upper and the lower pair start, in halfs, and the fractions between them.
+// The texels that the lanes read of one level: offsets of the upper and the lower pair, in halfs, and the fractions by
+// which the sample lies right of the left texels and below the upper ones.
 struct LevelTaps {
     alignas(64) int32_t upper[max_lanes];
     alignas(64) int32_t lower[max_lanes];
@@ -15,10 +16,10 @@ struct LevelTaps {
     alignas(64) float below[max_lanes];
 };
 
-// A level as the addresses need it. The chain's layout: CubeChain::texel.
+// The size of a level and its start in the chain; CubeChain::texel defines the layout.
 struct LevelShape {
-    Real half_size;    // of a face, in texels
-    Int start, pitch3; // texels to the first, halfs from row to row
+    Real half_size;    // half of a face's side, in texels
+    Int start, pitch3; // index of the first texel; halfs from row to row
 };
 
 HWY_INLINE LevelShape level_shape(CubeView cube, Int level)
@@ -36,11 +37,11 @@ HWY_INLINE LevelShape next_level(LevelShape l)
 
 HWY_INLINE void find_taps(LevelShape level, CubePlace p, LevelTaps& taps)
 {
-    // Texel centres lie half a texel in; the border adds one.
+    // Texel centres lie half a texel inside; the border adds one texel.
     const Real middle = level.half_size + 0.5;
     const Real x = p.s * level.half_size + middle, y = p.t * level.half_size + middle;
     const Real x0 = floor(x), y0 = floor(y);
-    // Below 2^24 floats count exactly.
+    // The index is below 2^24, up to which floats hold integers exactly.
     const Real pitch = 2.0 * level.half_size + 2.0;
     const Int in_level = truncated((p.face * pitch + y0) * pitch + x0);
     const Int texel = hn::Add(level.start, in_level);

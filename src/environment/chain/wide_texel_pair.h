@@ -1,7 +1,6 @@
 // Two neighbouring texels of a CubeChain in one vector, as every target has it. Included by wide_cube.h: no guard.
 
-// A TexelPair holds two texels side by side, or sums of such pairs: lanes r g b r g b and two lanes that mean
-// nothing.
+// A TexelPair holds two texels side by side, or a sum of such pairs: lanes r g b r g b, and two lanes without meaning.
 
 #if HWY_MAX_BYTES >= 32
 using PairTag = hn::FixedTag<float, 8>;
@@ -49,13 +48,13 @@ HWY_INLINE TexelPair add_weighted(TexelPair sum, TexelPair a, float weight)
 #elif HWY_TARGET != HWY_SCALAR
 using QuadTag = hn::FixedTag<float, 4>;
 
-// Lanes r g b r and g b and two of rubbish.
+// Lanes r g b r, and g b with two lanes without meaning.
 struct TexelPair {
     hn::Vec<QuadTag> low, high;
 };
 
-// Four halfs that are not negative: moved to a float's mantissa and exponent they are short of 2^112, which is exact
-// for subnormals too.
+// Converts four halfs that are not negative: shifted to a float's exponent and mantissa they are too small by a factor
+// of 2^112, and multiplying by it is exact for subnormals too.
 HWY_INLINE hn::Vec<QuadTag> load_quad(const uint16_t* halfs)
 {
     const hn::FixedTag<uint16_t, 4> d16;
