@@ -32,7 +32,7 @@ PrefilterLobe lobe_of(const BakeOptions& options, double roughness)
     return options.lobe == BakeLobe::ggx ? ggx_lobe(alpha) : phong_lobe(in_double::phong_exponent(alpha));
 }
 
-// The panorama itself, as sharp as the faces: the mean of bilinear lookups over each texel.
+// Fills level 0 with the panorama, not blurred: each texel is the mean of bilinear lookups over its area.
 void fill_sharp(const Panorama& panorama, image::CubeMap& cube)
 {
     const CubeChain chain = resampled(panorama, std::countr_zero(static_cast<unsigned>(cube.size)));
@@ -46,7 +46,7 @@ void fill_sharp(const Panorama& panorama, image::CubeMap& cube)
     });
 }
 
-// A panorama that is large enough, without a copy if it was before.
+// A panorama of at least a given size; it is copied only if it must be enlarged.
 struct Enlarged {
     const Panorama& given;
     Panorama copy;
@@ -59,7 +59,7 @@ struct Enlarged {
     {
     }
 
-    // What a check has to compare with.
+    // How a check has to interpret the texels of the panorama as given.
     TexelMeaning meaning() const { return copy.width > 0 ? TexelMeaning::knots : TexelMeaning::points; }
 };
 
@@ -72,7 +72,7 @@ void check(const BakeOptions& options)
         throw Error(Failure::usage, text("an error of ", options.error, " is not from 0.0005 to 0.2"));
 }
 
-// Of level after level what an error asks for, until a check finds it there.
+// Fills the levels of roughness above 0. Levels whose measured error is too large are filled again, more finely.
 void fill_rough_levels(const Enlarged& large, const BakeOptions& options, BakedSpecular& baked,
                        const std::function<void(double)>& report, const FillFaces& fill)
 {
@@ -92,7 +92,7 @@ void fill_rough_levels(const Enlarged& large, const BakeOptions& options, BakedS
         for (const CheckedLevel& level : left)
             faces.push_back({baked.cube, level.level, Prefilter(tree, level.lobe, fineness)});
         fill(faces, [&](double share) {
-            done = std::max(done, share); // a further round is short
+            done = std::max(done, share); // further rounds start at 0 again, and are short
             if (report)
                 report(done);
         });

@@ -13,7 +13,7 @@
 namespace lambent::environment {
 namespace {
 
-// At every 9th texel of a 128 x 128 table, against 400 x 1000 points: 0.005 % of relative RMSE.
+// Relative RMSE 0.005 %, against 400 x 1000 points at every 9th texel of a 128 x 128 table.
 constexpr int height_count = 32, azimuth_count = 48;
 constexpr double least_alpha = 1.0e-4;
 
@@ -42,7 +42,7 @@ SplitSumPoints make_points()
 {
     SplitSumPoints points;
     for (int j = 0; j < height_count; ++j) {
-        // Closer together towards the lobe's tail.
+        // Points are closer together towards the lobe's tail.
         const Node node = gauss_legendre(j, height_count);
         const double left = 1.0 - node.position;
         points.heights.push_back({static_cast<float>(1.0 - left * left),

@@ -28,7 +28,7 @@ float coverage(float outside, float texel)
 PlacedSoftbox::PlacedSoftbox(const Softbox& box)
     : box_(box), towards_(glm::normalize(box.centre)), distance_(glm::length(box.centre))
 {
-    // Right and up as seen from the origin, upright unless it hangs straight above.
+    // Right and up as seen from the origin, upright unless the softbox hangs straight above.
     const glm::vec3 vertical =
         std::fabs(towards_.y) < 0.99f ? glm::vec3(0.0f, 1.0f, 0.0f) : glm::vec3(0.0f, 0.0f, 1.0f);
     const glm::vec3 right = glm::normalize(glm::cross(towards_, vertical));

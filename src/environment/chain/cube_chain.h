@@ -15,7 +15,7 @@ class CubeChain {
 public:
     int log2_size = 0;  ///< log2 of a face's texels per side at level 0
     int levels = 0;     ///< the coarsest has faces of 1 << (log2_size - levels + 1) texels
-    float scale = 1.0f; ///< radiance = half * scale; a power of two by which the brightest texel is below 65504
+    float scale = 1.0f; ///< radiance = half * scale; a power of two, so that suns stay below 65504
 
     /// Allocates `level_count` levels, all texels 0. The coarsest must have faces of 2 texels or more, unless it is
     /// the only one. Throws std::bad_alloc.
