@@ -8,7 +8,7 @@
 namespace lambent::environment {
 namespace {
 
-// A patch wider than twice this is no damaged spot; its middle stays black.
+// Texels filled from the rim of a patch inwards, at most; the middle of a patch wider than twice this stays black.
 constexpr int most_layers = 16;
 
 bool sound(float v)
@@ -41,7 +41,7 @@ struct FloatTexels {
     }
 };
 
-// The mean of the neighbours that are not waiting to be filled; false if there is none.
+// Finds the mean of the neighbours that are not waiting to be filled; returns false if there are none.
 template <class Texels>
 bool neighbour_mean(const Texels& panorama, const std::vector<bool>& waiting, std::size_t texel, Rgb& mean)
 {
@@ -71,7 +71,7 @@ bool neighbour_mean(const Texels& panorama, const std::vector<bool>& waiting, st
 
 void BrokenTexels::blacken(std::span<float> rgb, std::size_t first_texel)
 {
-    // Nearly every row is sound: one pass that the compiler turns into SIMD decides.
+    // Nearly all rows are valid, which one vectorised pass finds.
     bool all_sound = true;
     for (const float v : rgb)
         all_sound &= v >= 0.0f && v <= brightest_valid;

@@ -26,11 +26,11 @@ constexpr std::array<double, band_count> ozone_cross_section = {1.31e-23,  1.324
 
 // Optical depth of haze falls as wavelength^-1.3, as is usual on clear days. [Angstrom 1929]
 constexpr double haze_exponent = 1.3;
-// Single scattering albedo, average continental aerosol, as its mean cosine. [Hess, Koepke and Schult 1998, "Optical
-// properties of aerosols and clouds", table 4]
+// Single scattering albedo of average continental aerosol, of which haze_mean_cosine is too. [Hess, Koepke and Schult
+// 1998, "Optical properties of aerosols and clouds", table 4]
 constexpr float haze_albedo = 0.925f;
 
-// Share of what haze scatters that counts as not deflected. [Joseph et al. 1976, eq. 5]
+// Share of the light scattered by haze that counts as not deflected. [Joseph et al. 1976, eq. 5]
 constexpr float forward_share =
     static_cast<float>(Atmosphere::haze_mean_cosine * Atmosphere::haze_mean_cosine);
 
@@ -42,8 +42,8 @@ double air_depth(double micrometres)
            (1.0 + 0.0027059889 / square - 85.968563 * square);
 }
 
-// The table's axes are those of Bruneton and Neyret 2008, sec. 4: the root of altitude, and the length of the length
-// within the atmosphere between the shortest (straight up) and the longest (along the ground's edge).
+// The table's axes are those of Bruneton and Neyret 2008, sec. 4: the square root of altitude, and the length of the
+// path within the atmosphere, between the shortest (straight up) and the longest (tangent to the ground).
 constexpr int table_altitudes = 32;
 constexpr int table_lengths = 64;
 constexpr int column_steps = 64;
@@ -99,7 +99,8 @@ Spectrum Atmosphere::deflection(const Densities& d) const
 Densities Atmosphere::columns(const Ray& ray) const
 {
     if (ray.cosine < 0.0) {
-        // Down to the lowest point and up again: twice the length up from there, less the length back to space.
+        // Down to the lowest point and up again: twice the path from there to space, less the path from the start in
+        // the opposite direction.
         const double radius = ground_radius + ray.altitude;
         const double lowest =
             std::max(0.0, radius * std::sqrt(1.0 - ray.cosine * ray.cosine) - ground_radius);

@@ -29,10 +29,10 @@ double panorama_azimuth(float camera_azimuth)
     return std::remainder(0.5 * pi - static_cast<double>(camera_azimuth), 2.0 * pi);
 }
 
-// What the texels of one column share.
+// Values that the texels of one column share.
 struct Column {
-    int angle;      // of the table, before this column
-    float fraction; // of the way to the next
+    int angle;      // index of the table's last angle before this column
+    float fraction; // position between that angle and the next
     float cosine;   // of the horizontal angle from the sun
 };
 

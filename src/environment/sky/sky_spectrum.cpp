@@ -47,7 +47,7 @@ Rgb rec709(Xyz c)
             static_cast<float>(0.0557 * c.x - 0.2040 * c.y + 1.0570 * c.z)};
 }
 
-// Where a wavelength lies between the bands: so much of `first`, the rest of the one after it.
+// A wavelength between two bands: `share` of it belongs to band `first`, the rest to the next.
 struct BandBlend {
     int first;
     double share;
@@ -65,7 +65,7 @@ BandBlend bands_at(double nm)
     return {first, share < 0.0 ? 0.0 : share > 1.0 ? 1.0 : share};
 }
 
-// What the whole of the sunlight around each band is.
+// RGB of all sunlight that belongs to each band.
 std::array<Rgb, band_count> make_weights()
 {
     std::array<Xyz, band_count> sums{};

@@ -25,7 +25,7 @@ SkyLight plus(const SkyLight& a, float weight, const SkyLight& b)
             sum(a.even, weighted(weight, b.even))};
 }
 
-// Of four values in equal steps, the weights at t of the way from the second to the third. [Catmull and Rom 1974]
+// Weights of four values in equal steps at the fraction t between the second and the third. [Catmull and Rom 1974]
 std::array<float, 4> cubic_weights(float t)
 {
     const float t2 = t * t, t3 = t2 * t;
