@@ -20,7 +20,7 @@ vec2 albedo(double NV, double alpha)
     const vec3 stretched = stretched_view({sine, 0.0, NV}, alpha);
     double all = 0.0, grazing = 0.0;
     for (int j = 0; j < heights; ++j) {
-        // Points are closer together towards the lobe's tail: evenly spaced they miss 0.1 % of the lobe of a smooth metal.
+        // Points are closer together towards the lobe's tail: even spacing misses 0.1 % of a smooth metal's lobe.
         const double left = 1.0 - (j + 0.5) / heights;
         const double height = 1.0 - left * left * left, weight = 3.0 * left * left;
         for (int i = 0; i < azimuths; ++i) {
