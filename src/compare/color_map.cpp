@@ -13,7 +13,7 @@ namespace {
 
 constexpr int steps = 256;
 constexpr double lightest = 96.0;
-constexpr double most_chroma = 95.0; // more than the screen has; what does not fit is made paler
+constexpr double most_chroma = 95.0; // above the display's range; colours outside it are made paler
 constexpr double first_hue = -75.0, last_hue = 105.0; // CIELAB degrees: violet, by red, to yellow
 
 constexpr int smoothing = 22; // entries to either side
@@ -55,7 +55,7 @@ LightnessAndHue lightness_and_hue(int i)
     return {lightest * t, degrees * std::numbers::pi / 180.0};
 }
 
-// The most that a display has there, by halving.
+// The largest chroma that a display has at a lightness and hue, by bisection.
 double chroma_at(const LightnessAndHue& entry)
 {
     double low = 0.0, high = most_chroma;
@@ -68,7 +68,7 @@ double chroma_at(const LightnessAndHue& entry)
 
 using Chromas = std::array<double, steps>;
 
-// For each entry, pick(begin, end) of those around it.
+// Replaces each entry by pick(begin, end) of the entries around it.
 template <class Pick>
 Chromas around(const Chromas& chromas, Pick&& pick)
 {
@@ -79,8 +79,8 @@ Chromas around(const Chromas& chromas, Pick&& pick)
     return picked;
 }
 
-// What a display has, with the corners of its range, which would look like edges in the picture, taken off: a mean of
-// what is smallest nearby is nowhere above it.
+// The largest chromas, smoothed, as corners of the display's range would look like edges in an image: the mean of the
+// smallest values nearby is nowhere above the largest possible.
 Chromas smooth_chromas()
 {
     Chromas most{};

@@ -107,7 +107,7 @@ ImagePair read_image_pair(const fs::path& picture, const fs::path& reference, Wa
         throw Error(Failure::bad_input, text(describe(picture, a), ", ", describe(reference, b),
                                              ": only pictures of one size and kind can be compared"));
     ImagePair pictures{a.kind, read(picture, a, warnings), read(reference, b, warnings)};
-    // A file may have changed since it was looked into.
+    // A file may have changed since its header was read.
     if (pictures.picture.values.size() != pictures.reference.values.size() ||
         pictures.picture.width != pictures.reference.width)
         throw Error(Failure::bad_input, text(picture.string(), ": changed while it was read"));

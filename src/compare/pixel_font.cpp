@@ -71,7 +71,7 @@ const Letter& letter_of(char character)
     return found == std::end(letters) ? unknown : *found;
 }
 
-// A square of one pixel of a letter.
+// Fills the square of one pixel of a letter.
 void fill(image::CodeImage& image, const TextPosition& position, const Code& color)
 {
     for (int y = std::max(position.y, 0); y < std::min(position.y + position.scale, image.height); ++y)

@@ -19,8 +19,8 @@ struct TextPosition {
     int scale; ///< pixels for each pixel of the letter
 };
 
-/// Draws text into an 8-bit RGB image; what lies outside is left out. Digits, letters (small as capitals) and " .-+%:";
-/// any other character is an empty box.
+/// Draws text into an 8-bit RGB image, clipped to it. The font has digits, capitals (also for small letters) and
+/// " .-+%:"; any other character is an empty box.
 void draw_text(image::CodeImage& image, std::string_view text, const TextPosition& position,
                const Code& color);
 
