@@ -19,7 +19,7 @@ struct Settings {
     bool unlit_by_power =
         false; ///< colours without lighting were decoded by a power of 2.2, not by the sRGB curve
     bool dither =
-        false; ///< noise of one code, triangular, the same for every picture, before rounding to 8 bits
+        false; ///< noise of one code, triangular, the same for every image, before rounding to 8 bits
 };
 
 /// 8-bit RGB codes of an RGB or RGBA image, rounded to nearest. NaN and negative light become black, infinite light

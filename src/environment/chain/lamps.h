@@ -21,7 +21,8 @@ struct Lamps {
     int last_level = 0;      ///< last level of the chain with their light; to coarser levels it must be added
 };
 
-/// Merges the peaks to at most 16 lamps, left out from the finest level on whose blur hides the merging.
+/// Merges the peaks to at most 16 lamps. The chain leaves them out from the finest level on whose blur hides the
+/// merging.
 Lamps choose_lamps(const Peaks& peaks, const CubeChain& chain);
 
 /// Angular variance of a level's blur, in square radians.

@@ -19,7 +19,8 @@ namespace {
 
 constexpr double least_over_mean = 16.0;    // the limit over the mean radiance
 constexpr double most_of_all = 1.0 / 128.0; // share of the sphere above the limit
-// Solid angle above the limit, in texels at the horizon: a light of more than a few texels needs no special treatment.
+// Solid angle above the limit, in texels at the horizon: at any resolution, lights of more than a few texels need no
+// special treatment.
 constexpr double most_texels = 3000.0;
 
 double largest_channel(const Rgb& c)

@@ -1,4 +1,4 @@
-// Two neighbouring texels of a CubeChain in one vector, as every target has it. Included by wide_cube.h: no guard.
+// Two neighbouring texels of a CubeChain in the vectors of each target. Included by wide_cube.h: no guard.
 
 // A TexelPair holds two texels side by side, or a sum of such pairs: lanes r g b r g b, and two lanes without meaning.
 
