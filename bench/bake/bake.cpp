@@ -57,12 +57,12 @@ void against_all_texels(const environment::Panorama& panorama)
 }
 
 // Texels of a level: anywhere, or within 15 degrees of its brightest.
-std::vector<environment::TexelPlace> places(const image::CubeMap& cube, int level, bool near,
-                                            std::size_t count)
+std::vector<environment::CubeTexel> places(const image::CubeMap& cube, int level, bool near,
+                                           std::size_t count)
 {
     const int size = cube.face_size(level);
-    environment::TexelPlace brightest{0, 0, 0, size};
-    std::vector<environment::TexelPlace> all;
+    environment::CubeTexel brightest{0, 0, 0, size};
+    std::vector<environment::CubeTexel> all;
     for (int face = 0; face < 6; ++face)
         for (int y = 0; y < size; ++y)
             for (int x = 0; x < size; ++x) {
@@ -73,7 +73,7 @@ std::vector<environment::TexelPlace> places(const image::CubeMap& cube, int leve
             }
     const environment::Direction to = texel_direction(brightest);
     if (near)
-        std::erase_if(all, [&](const environment::TexelPlace& place) {
+        std::erase_if(all, [&](const environment::CubeTexel& place) {
             const environment::Direction d = texel_direction(place);
             return d.x * to.x + d.y * to.y + d.z * to.z < 0.9659258;
         });
@@ -87,9 +87,9 @@ double error_of(const environment::Panorama& panorama, const environment::BakedS
                 bool near)
 {
     const double roughness = baked.levels[static_cast<std::size_t>(level)].perceptual_roughness;
-    const std::vector<environment::TexelPlace> at = places(baked.cube, level, near, near ? 100 : 300);
+    const std::vector<environment::CubeTexel> at = places(baked.cube, level, near, near ? 100 : 300);
     std::vector<environment::TexelSum> sums;
-    for (const environment::TexelPlace& place : at) {
+    for (const environment::CubeTexel& place : at) {
         const environment::Direction d = texel_direction(place);
         sums.push_back({d.x, d.y, d.z, environment::ggx_lobe(roughness * roughness), {}});
     }

@@ -1,4 +1,4 @@
-// The split-sum table: how much a GGX surface reflects in all.
+// The split-sum table: the directional albedo of GGX surfaces.
 #pragma once
 
 namespace lambent {
@@ -8,7 +8,7 @@ namespace lambent {
 constexpr int albedo_table_size = 64;
 
 /// Pairs (x, y), row by row: a surface of reflectance F0 reflects F0 x + y of the light from a uniform environment,
-/// by single scattering. [Karis 2013, "Real shading in Unreal Engine 4"] Made when building, by quadrature in double
+/// by single scattering. [Karis 2013, "Real shading in Unreal Engine 4"] Computed by the build, by quadrature in double
 /// over the visible normals (make_albedo_table.cpp); tests/environment compares it with quadrature over directions.
 extern const float albedo_table[albedo_table_size * albedo_table_size * 2];
 

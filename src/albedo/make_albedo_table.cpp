@@ -12,14 +12,15 @@ using namespace lambent::in_double;
 constexpr int azimuths = 48, heights = 256;
 constexpr double least_cosine = 1.0e-4, least_alpha = 1.0e-4;
 
-// The mean over visible normals of what is neither shadowed nor (for x) reflected by Schlick's weight.
+// Both parts of the albedo: means over visible normals of the share that is not shadowed, times 1 - w (x) and times
+// Schlick's weight w (y).
 vec2 albedo(double NV, double alpha)
 {
     const double sine = std::sqrt(1.0 - NV * NV);
     const vec3 stretched = stretched_view({sine, 0.0, NV}, vec2(alpha));
     double all = 0.0, grazing = 0.0;
     for (int j = 0; j < heights; ++j) {
-        // Closer together towards the lobe's tail, where evenly spaced points miss 0.1 % of the lobe of a smooth metal.
+        // Points are closer together towards the lobe's tail: even spacing misses 0.1 % of a smooth metal's lobe.
         const double left = 1.0 - (j + 0.5) / heights;
         const double height = 1.0 - left * left * left, weight = 3.0 * left * left;
         for (int i = 0; i < azimuths; ++i) {

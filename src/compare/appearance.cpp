@@ -48,7 +48,7 @@ bool keeps_order(const std::uint8_t* code, const float* value)
     return true;
 }
 
-// Sums over all rectangles from the top left corner, of what covered pixels hold.
+// A summed-area table: the sums of values over all rectangles from the top left corner. [Crow 1984]
 class Summed {
 public:
     explicit Summed(const image::RadianceImage& shape)

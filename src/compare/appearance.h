@@ -1,4 +1,4 @@
-// Numbers about how one picture looks.
+// Statistics of how one image looks.
 #pragma once
 
 #include "image/image.h"
@@ -12,7 +12,7 @@ double displayed_luminance(const image::CodeImage& codes);
 /// (RGBA); black counts as 0. [Smith 1978, HSV]
 double mean_saturation(const image::CodeImage& codes, const image::RadianceImage& light);
 
-/// How a picture of 8-bit codes looks, over all of its pixels.
+/// Statistics over all pixels of an image of 8-bit codes.
 struct Look {
     double mean;       ///< of the codes, 0 to 1
     double saturation; ///< (max - min) / max, 0 to 1; black counts as 0
@@ -21,19 +21,19 @@ struct Look {
 };
 Look look_of(const image::CodeImage& codes);
 
-/// RMS difference of the 8-bit codes of two pictures of one size, in parts of 255.
+/// RMS difference of the 8-bit codes of two images of one size, divided by 255.
 double code_difference(const image::CodeImage& a, const image::CodeImage& b);
 
-/// Of the tenth of all pixels with the most light: the share in which no two channels have changed their order between
-/// light and codes. Two that became equal have not.
+/// The share, among the brightest tenth of all pixels, of those in which no two channels have changed their order
+/// between light and codes. Channels that became equal have not.
 double kept_hue_order(const image::CodeImage& codes, const image::RadianceImage& light);
 
-/// Standard deviation over mean of the luminance of all wholly covered pixels of an RGBA picture; 0 without light.
+/// Standard deviation over mean of the luminance of all wholly covered pixels of an RGBA image; 0 without light.
 double luminance_spread(const image::RadianceImage& light);
 
-/// Structure of a few pixels that a picture has and its limit does not, or the other way about: the difference less its
-/// mean over the 17 x 17 pixels around, RMS over the wholly covered pixels of `limit` (RGBA), divided by the mean of
-/// the limit there. Both of one size. A shift in brightness counts as nothing; blocks and blur do not hide.
+/// Structure of a few pixels that only one of an image and its limit has: the difference less its mean over the 17 x 17
+/// pixels around, RMS over the wholly covered pixels of `limit` (RGBA), divided by the mean of the limit there. Both
+/// have one size. A smooth shift in brightness does not count; blocks and blur do.
 double fine_difference(const image::RadianceImage& picture, const image::RadianceImage& limit);
 
 } // namespace lambent::compare

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int steps = 256;
 constexpr double lightest = 96.0;
-constexpr double most_chroma = 95.0; // more than the screen has; what does not fit is made paler
+constexpr double most_chroma = 95.0; // above the display's range; colours outside it are made paler
 constexpr double first_hue = -75.0, last_hue = 105.0; // CIELAB degrees: violet, by red, to yellow
 
 constexpr int smoothing = 22; // entries to either side
@@ -44,31 +44,31 @@ bool fits(const Rgb& rgb)
     return std::all_of(rgb.begin(), rgb.end(), [](double part) { return part >= 0.0 && part <= 1.0; });
 }
 
-struct Place {
+struct LightnessAndHue {
     double lightness, hue;
 };
 
-Place place_of(int i)
+LightnessAndHue lightness_and_hue(int i)
 {
     const double t = static_cast<double>(i) / (steps - 1);
     const double degrees = first_hue + (last_hue - first_hue) * std::pow(t, 0.8);
     return {lightest * t, degrees * std::numbers::pi / 180.0};
 }
 
-// The most that a display has there, by halving.
-double chroma_at(const Place& place)
+// The largest chroma that a display has at a lightness and hue, by bisection.
+double chroma_at(const LightnessAndHue& entry)
 {
     double low = 0.0, high = most_chroma;
     for (int i = 0; i < 40; ++i) {
         const double chroma = 0.5 * (low + high);
-        (fits(linear_of(place.lightness, chroma, place.hue)) ? low : high) = chroma;
+        (fits(linear_of(entry.lightness, chroma, entry.hue)) ? low : high) = chroma;
     }
     return low;
 }
 
 using Chromas = std::array<double, steps>;
 
-// For each entry, pick(begin, end) of those around it.
+// Replaces each entry by pick(begin, end) of the entries around it.
 template <class Pick>
 Chromas around(const Chromas& chromas, Pick&& pick)
 {
@@ -79,13 +79,13 @@ Chromas around(const Chromas& chromas, Pick&& pick)
     return picked;
 }
 
-// What a display has, with the corners of its range, which would look like edges in the picture, taken off: a mean of
-// what is smallest nearby is nowhere above it.
+// The largest chromas, smoothed, as corners of the display's range would look like edges in an image: the mean of the
+// smallest values nearby is nowhere above the largest possible.
 Chromas smooth_chromas()
 {
     Chromas most{};
     for (int i = 0; i < steps; ++i)
-        most[static_cast<std::size_t>(i)] = chroma_at(place_of(i));
+        most[static_cast<std::size_t>(i)] = chroma_at(lightness_and_hue(i));
     const Chromas least = around(most, [](auto begin, auto end) { return *std::min_element(begin, end); });
     return around(least, [](auto begin, auto end) {
         return std::accumulate(begin, end, 0.0) / static_cast<double>(end - begin);
@@ -97,8 +97,8 @@ std::array<Code, steps> make_table()
     const Chromas chromas = smooth_chromas();
     std::array<Code, steps> table{};
     for (int i = 0; i < steps; ++i) {
-        const Place place = place_of(i);
-        const Rgb rgb = linear_of(place.lightness, chromas[static_cast<std::size_t>(i)], place.hue);
+        const LightnessAndHue entry = lightness_and_hue(i);
+        const Rgb rgb = linear_of(entry.lightness, chromas[static_cast<std::size_t>(i)], entry.hue);
         for (std::size_t c = 0; c < 3; ++c)
             table[static_cast<std::size_t>(i)][c] = static_cast<std::uint8_t>(
                 std::lround(255.0 * in_double::srgb_encode(std::clamp(rgb[c], 0.0, 1.0))));

@@ -1,4 +1,4 @@
-// Numbers as colours.
+// A map from errors to colours.
 #pragma once
 
 #include <array>
@@ -9,8 +9,8 @@ namespace lambent::compare {
 /// sRGB codes.
 using Code = std::array<std::uint8_t, 3>;
 
-/// The colour for an error in [0, 1] (others are cut, NaN is 0): from black over violet, red and orange to a light
-/// yellow. Lightness L* grows evenly from 0 to 96, so that the order stays to be seen in grey and for the colour-blind.
+/// The colour for an error, clamped to [0, 1], NaN as 0: from black over violet, red and orange to a light yellow.
+/// Lightness L* grows evenly from 0 to 96, so that the order is visible in grey and to colour-blind viewers.
 Code color_of(float error);
 
 } // namespace lambent::compare

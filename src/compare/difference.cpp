@@ -12,7 +12,7 @@
 namespace lambent::compare {
 namespace {
 
-// Of one row or many.
+// Sums over one or more rows.
 struct Sums {
     double squares = 0.0, reference = 0.0, max = 0.0;
 
@@ -64,7 +64,7 @@ float distance(const float* a, const float* b)
     return static_cast<float>(std::sqrt(squares / 3.0));
 }
 
-// value(a, b) for each pixel.
+// The map of value(a, b) for each pixel.
 template <class Value>
 ErrorMap map_of(const Pair& pair, Value&& value)
 {
@@ -138,7 +138,7 @@ RegionError region_error(const Pair& pair, std::span<const int> labels, float li
         Sums sums;
         double values = 0.0;
     };
-    // By label, which may be any number.
+    // By label; labels need not be consecutive.
     std::map<int, Region> regions;
     std::size_t i = 0;
     for (int y = 0; y < pair.picture.height; ++y)

@@ -1,4 +1,4 @@
-// How far one picture is from another, by numbers that know nothing of eyes.
+// Numerical differences between two images, without a model of vision.
 #pragma once
 
 #include "compare/error_map.h"
@@ -9,8 +9,8 @@
 
 namespace lambent::compare {
 
-/// Both pictures of a comparison. Only red, green and blue count; coverage is not looked at. Both must have the same
-/// size, and finite values (see picture.h); the functions throw std::invalid_argument for pictures of different size.
+/// The two images of a comparison. Only red, green and blue count; coverage is ignored. Both must have the same size
+/// and finite values (see image_pair.h); the functions throw std::invalid_argument for images of different size.
 struct Pair {
     const image::RadianceImage& picture;
     const image::RadianceImage& reference;
@@ -19,31 +19,31 @@ struct Pair {
 struct Difference {
     double rmse = 0.0;          ///< sqrt(mean((a - b)^2)) over all values, a the picture and b the reference
     double relative_rmse = 0.0; ///< rmse / mean(b); infinite where only the mean of b is 0 or below
-    double psnr = 0.0;          ///< 20 log10(peak / rmse), decibels; infinite for equal pictures
+    double psnr = 0.0;          ///< 20 log10(peak / rmse), decibels; infinite for equal images
     double max = 0.0;           ///< largest |a - b|
 };
 
-/// `peak` is the value that stands for full signal: 1 for codes.
+/// `peak` is the largest possible value: 1 for codes.
 Difference difference(const Pair& pair, double peak);
 
-/// The largest value of a picture, at least 0.
+/// The largest value of an image, at least 0.
 double largest_value(const image::RadianceImage& picture);
 
 /// sqrt(mean((a - b)^2)) over the channels of each pixel.
 ErrorMap absolute_error(const Pair& pair);
 
-/// The same divided by the mean of the reference's channels there and a hundredth of the whole reference's mean, which
-/// keeps black from being infinitely far off. 0 everywhere if the reference's mean is not above 0 and both agree.
+/// The same divided by the sum of the mean of the reference's channels there and a hundredth of the whole reference's
+/// mean, which bounds the error at black pixels. 0 everywhere if the reference's mean is not above 0 and both agree.
 ErrorMap relative_error(const Pair& pair);
 
 struct RegionError {
     double mean = 0.0;    ///< over the regions: relative RMSE in each
     double largest = 0.0; ///< of them
-    int regions = 0;      ///< that have pixels and light in the reference
+    int regions = 0;      ///< number of those with pixels and light in the reference
 };
 
-/// Relative RMSE region by region, both pictures cut to [0, limit] first: a bright region cannot hide a dark one, nor a
-/// few bright pixels everything else. `labels` has a number for each pixel, row by row; below 0: belongs to no region.
+/// Relative RMSE region by region, both images clamped to [0, limit] first: a bright region cannot hide a dark one, nor
+/// a few bright pixels all others. `labels` has a region's number for each pixel, row by row; below 0: in no region.
 /// Regions without light in the reference are left out. Throws std::invalid_argument for another number of labels.
 RegionError region_error(const Pair& pair, std::span<const int> labels, float limit = 1.0f);
 

@@ -31,7 +31,7 @@ private:
     std::mutex mutex_;
 };
 
-// visit(tile) for tiles that cover the picture, in parallel.
+// Calls visit(tile) for tiles that cover the map, in parallel.
 template <class Visit>
 void for_each_tile(const ErrorMap& map, Visit&& visit)
 {
@@ -80,7 +80,7 @@ HdrFlip hdr_flip(const Pair& pair, const FlipSettings& settings)
     Reporter reporter(settings.progress, tile_count(flip.map));
     for_each_tile(flip.map, [&](const Tile& tile) {
         for (int i = 0; i < flip.exposures.count; ++i) {
-            // The faintest and the brightest floats would ask for factors beyond a float's range.
+            // The faintest and the brightest floats would need factors beyond a float's range.
             const double factor = std::clamp(std::exp2(flip.exposures.at(i)), 1e-38, 1e38);
             flip_tile(pair, filters, {false, static_cast<float>(factor)}, tile, flip.map);
         }

@@ -1,4 +1,4 @@
-// FLIP: how different two pictures look to someone who flips between them.
+// FLIP: how different two images look to a viewer who alternates between them.
 //
 // LDR-FLIP: Andersson et al. 2020, "FLIP: A Difference Evaluator for Alternating Images", HPG.
 // HDR-FLIP: Andersson et al. 2021, "Visualizing Errors in Rendered High Dynamic Range Images", Eurographics.
@@ -13,7 +13,7 @@
 
 namespace lambent::compare {
 
-/// Told the share that is done, from 0 to 1, by one thread at a time.
+/// Called with the share that is done, from 0 to 1, by one thread at a time.
 using Progress = std::function<void(float)>;
 
 struct FlipSettings {
@@ -21,8 +21,8 @@ struct FlipSettings {
     Progress progress; ///< may be empty
 };
 
-/// Errors from 0 (no difference to be seen) to 1, between pictures that hold sRGB codes in [0, 1]. Symmetric.
-/// Throws std::invalid_argument for pictures of different size.
+/// Errors from 0 (no visible difference) to 1, between images of sRGB codes in [0, 1]. Symmetric.
+/// Throws std::invalid_argument for images of different size.
 ErrorMap ldr_flip(const Pair& pair, const FlipSettings& settings = {});
 
 struct HdrFlip {
@@ -30,8 +30,8 @@ struct HdrFlip {
     Exposures exposures;
 };
 
-/// The same for linear light: the largest LDR-FLIP error at any exposure that makes sense for the reference. Not
-/// symmetric; the same whatever both pictures are multiplied with.
+/// The same for linear light: the largest LDR-FLIP error at any exposure of exposures_for() the reference. Not
+/// symmetric; unchanged if both images are multiplied by one factor.
 HdrFlip hdr_flip(const Pair& pair, const FlipSettings& settings = {});
 
 } // namespace lambent::compare

@@ -7,7 +7,7 @@ namespace {
 
 constexpr float q_c = 0.7f, p_c = 0.4f, p_t = 0.95f;
 
-// The CIE's cube root with a straight start.
+// The CIE's cube root, linear near 0.
 float lab_curve(float t)
 {
     constexpr float delta = 6.0f / 29.0f;

@@ -1,4 +1,4 @@
-// The colours of FLIP: from linear Rec. 709 light in [0, 1] to a space in which distances are what people see.
+// The colours of FLIP: from linear Rec. 709 light in [0, 1] to a space in which distances are perceived differences.
 //
 // Andersson, Nilsson, Akenine-Moller, Oskarsson, Astrom, Fairchild 2020, "FLIP: A Difference Evaluator for Alternating
 // Images", HPG, sections 4.1.1 to 4.1.4. All numbers here are that paper's unless another source is named.
@@ -69,7 +69,7 @@ inline float hyab(const Color& p, const Color& q)
 }
 
 /// A HyAB distance as an error in [0, 1]: its power q_c = 0.7, then linear so that p_c = 0.4 of the largest power (that
-/// of green against blue) becomes p_t = 0.95, and the rest is pressed into what is left (section 4.1.4).
+/// of green against blue) becomes p_t = 0.95, and the rest is mapped to the remaining range (section 4.1.4).
 float color_error(float hyab_distance);
 
 } // namespace lambent::compare

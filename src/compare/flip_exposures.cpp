@@ -15,17 +15,17 @@ namespace {
 // undo the reference transform's own exposure.
 constexpr double k0 = 0.36 * 2.51, k1 = 0.6 * 0.03, k3 = 0.36 * 2.43, k4 = 0.6 * 0.59, k5 = 0.14;
 
-// What the brightest and the median pixel are shown as (section 3.1).
+// The level at which the brightest and the median pixel are shown (section 3.1).
 constexpr double shown_level = 0.85;
 
-// The light that the curve makes `level` of: the positive root.
+// The light that the curve maps to `level`: the positive root.
 double light_shown_as(double level)
 {
     const double a = k0 - k3 * level, b = k1 - k4 * level, c = -k5 * level;
     return (-b + std::sqrt(b * b - 4.0 * a * c)) / (2.0 * a);
 }
 
-// In the middle; of an even number, between the two.
+// The median; for an even number of values the mean of the middle two.
 double median(std::vector<float>& values)
 {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -42,7 +42,7 @@ std::vector<float> luminances(const image::RadianceImage& picture)
     all.reserve(static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height));
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {
-            // Rounded, the shares may add up to more than 1 and the sum go beyond the largest float.
+            // The rounded weights may add up to more than 1, and the sum exceed the largest float.
             const double luminance = image::luminance(picture.pixel(x, y));
             all.push_back(static_cast<float>(std::clamp(luminance, 0.0, 3.4e38)));
         }
@@ -51,7 +51,7 @@ std::vector<float> luminances(const image::RadianceImage& picture)
 
 constexpr int decoding_steps = 4096;
 
-// Straight lines between these are within a float's last bit or two of the curve.
+// Linear interpolation between these is within a float's last bit or two of the curve.
 const std::array<float, decoding_steps + 2>& decoding_table()
 {
     static const auto table = [] {
@@ -70,14 +70,14 @@ const std::array<float, decoding_steps + 2>& decoding_table()
 float decoded(float code)
 {
     static const std::array<float, decoding_steps + 2>& table = decoding_table();
-    const float place = std::clamp(code, 0.0f, 1.0f) * decoding_steps;
-    const auto i = static_cast<std::size_t>(place);
-    return table[i] + (table[i + 1] - table[i]) * (place - static_cast<float>(i));
+    const float position = std::clamp(code, 0.0f, 1.0f) * decoding_steps;
+    const auto i = static_cast<std::size_t>(position);
+    return table[i] + (table[i + 1] - table[i]) * (position - static_cast<float>(i));
 }
 
 float tone_mapped(float light)
 {
-    // Beyond, the curve is 1 and squares might not be finite.
+    // Beyond 1e6 the curve is 1, and squares might not be finite.
     const float x = std::clamp(light, 0.0f, 1e6f);
     const float up = (static_cast<float>(k0) * x + static_cast<float>(k1)) * x;
     const float down = (static_cast<float>(k3) * x + static_cast<float>(k4)) * x + static_cast<float>(k5);

@@ -1,4 +1,4 @@
-// How HDR-FLIP makes displayed pictures of light.
+// The exposures and the tone curve of HDR-FLIP.
 //
 // Andersson, Nilsson, Shirley, Akenine-Moller 2021, "Visualizing Errors in Rendered High Dynamic Range Images",
 // Eurographics short papers, section 3.
@@ -8,11 +8,11 @@
 
 namespace lambent::compare {
 
-/// sRGB codes in [0, 1] (others are cut) to linear light.
+/// Linear light of an sRGB code, clamped to [0, 1].
 float decoded(float code);
 
-/// The ACES curve as fitted by Krzysztof Narkowicz (2016), x in 0.6 of his units, cut to [0, 1]: what HDR-FLIP looks at
-/// light through. Rises; negative light is 0.
+/// The tone curve of HDR-FLIP: ACES as fitted by Krzysztof Narkowicz (2016), x in 0.6 of his units, clamped to [0, 1].
+/// Increasing; 0 for negative light.
 float tone_mapped(float light);
 
 /// Exposures from `start` to `stop`, in stops, `count` of them at equal steps.
@@ -24,13 +24,13 @@ struct Exposures {
     double at(int i) const { return count > 1 ? start + (stop - start) * i / (count - 1) : start; }
 };
 
-/// Most exposures looked at: 2^32 between the brightest pixel and the median is more than any picture needs, but a file
-/// may claim what it likes.
+/// Most exposures compared: a ratio of 2^32 between the brightest pixel and the median is more than any image needs,
+/// but files may hold any values.
 inline constexpr int most_exposures = 32;
 
 /// From the exposure that shows the reference's brightest luminance at 0.85 to the one that shows its median there; one
-/// for each stop or part of one, at least two. Pictures that are half black or more have the median of what is not, and
-/// black ones the single exposure 0.
+/// for each stop or part of one, at least two. For images of which half or more is black, the median is that of the
+/// other pixels; wholly black ones have the single exposure 0.
 Exposures exposures_for(const image::RadianceImage& reference);
 
 /// Exposures for a range in stops: one for each stop begun, at least two, or one if there is no range.

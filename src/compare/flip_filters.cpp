@@ -20,10 +20,10 @@ constexpr Sensitivity to_light{1.0, 0.0047}, to_red_green{1.0, 0.0053},
 // Visual angle in degrees between the trough and the peak of an edge detector (section 4.2.1).
 constexpr double edge_width = 0.082;
 
-// Far out, where a weight could no longer be seen in a sum of floats, filters are cut.
+// Filters are cut where weights, relative to the largest, are too small to change a sum of floats.
 constexpr double least_weight = 1e-10;
 
-// Weights given for the offsets -n to n.
+// Weights for the offsets -n to n.
 using Weights = std::vector<double>;
 
 Filter finished(const Weights& weights, Shape shape = Shape::even)
@@ -41,7 +41,7 @@ Filter finished(const Weights& weights, Shape shape = Shape::even)
     return filter;
 }
 
-// weight(offset) from -radius to radius.
+// Tabulates weight(offset) from -radius to radius.
 template <class Weight>
 Weights tabulated(int radius, Weight&& weight)
 {
@@ -59,7 +59,7 @@ double sum(const Weights& weights)
     return sum;
 }
 
-// Negative weights add up to -1 and positive ones to 1; those of a Gaussian only to 1.
+// Scales negative weights to a sum of -1 and positive ones to a sum of 1; a Gaussian has only positive ones.
 Weights normalised(Weights weights)
 {
     double negative = 0.0, positive = 0.0;
@@ -80,7 +80,7 @@ Weights sensitivity(const Sensitivity& s, double pixels_per_degree, int radius)
 
 void add_contrast_filters(double pixels_per_degree, FlipFilters& filters)
 {
-    // Three standard deviations of the widest, for all (section 4.1.2).
+    // All have the radius of three standard deviations of the widest (section 4.1.2).
     const double widest = std::sqrt(to_blue_yellow[0].b / (2.0 * pi * pi));
     const int radius = static_cast<int>(std::ceil(3.0 * widest * pixels_per_degree));
     filters.achromatic = finished(normalised(sensitivity(to_light, pixels_per_degree, radius)));
@@ -88,7 +88,7 @@ void add_contrast_filters(double pixels_per_degree, FlipFilters& filters)
     double shares[2];
     for (int k = 0; k < 2; ++k) {
         const Weights weights = sensitivity(to_blue_yellow[k], pixels_per_degree, radius);
-        // What the whole square of weights adds up to.
+        // The sum of the weights in two dimensions.
         shares[k] = to_blue_yellow[k].a * std::sqrt(pi / to_blue_yellow[k].b) * sum(weights) * sum(weights);
         filters.blue_yellow[k] = finished(normalised(weights));
     }

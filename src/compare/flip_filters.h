@@ -9,7 +9,7 @@
 
 namespace lambent::compare {
 
-/// What the two weights at the same distance have in common.
+/// The relation of the two weights at the same distance.
 enum class Shape {
     even,     ///< they are equal
     odd,      ///< one is the other's negative
@@ -26,21 +26,20 @@ struct Filter {
 struct FlipFilters {
     Filter achromatic, red_green; ///< one Gaussian each; weights add up to 1
     Filter blue_yellow[2];        ///< two Gaussians; the weights of each add up to 1
-    float blue_yellow_share[2];   ///< of each in the filter; together 1
+    float blue_yellow_share[2];   ///< of each Gaussian in the filter; together 1
     Filter smooth;                ///< the features' Gaussian; weights add up to 1
     Filter edge;                  ///< its first derivative: negative weights add up to -1, positive to 1
     Filter point;                 ///< its second derivative, likewise
     int radius = 0;               ///< the largest of all
 };
 
-/// Pixels that an observer has in a degree of the field of view: 67 is a 3840 pixel wide screen of 0.7 m seen from
-/// 0.7 m.
+/// Pixels per degree of an observer's field of view: 67 for a screen of 3840 pixels and 0.7 m width seen from 0.7 m.
 inline constexpr double usual_pixels_per_degree = 67.0;
 
-/// Largest and smallest that make sense: beyond, filters have hundreds of pixels, or no width at all.
+/// The accepted range: beyond it filters have no width, or hundreds of pixels.
 inline constexpr double least_pixels_per_degree = 1.0, most_pixels_per_degree = 1000.0;
 
-/// `pixels_per_degree` in the range above, else std::invalid_argument.
+/// Throws std::invalid_argument for `pixels_per_degree` outside that range.
 FlipFilters make_flip_filters(double pixels_per_degree);
 
 } // namespace lambent::compare

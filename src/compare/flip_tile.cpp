@@ -21,16 +21,16 @@ std::size_t index(int i)
     return static_cast<std::size_t>(i);
 }
 
-// Planes filtered along rows; what remains is to filter them along columns.
+// Planes filtered along rows, to be filtered along columns.
 enum Plane { achromatic, red_green, blue_yellow_0, blue_yellow_1, smooth, edge, point, plane_count };
 
-// A rectangle of one picture as FLIP's two pipelines see it, row by row.
-class Seen {
+// A tile of one image filtered by FLIP's colour and feature pipelines, row by row.
+class FilteredTile {
 public:
-    Seen(const image::RadianceImage& picture, const FlipFilters& filters, const Shown& shown,
-         const Tile& tile);
+    FilteredTile(const image::RadianceImage& picture, const FlipFilters& filters, const Shown& shown,
+                 const Tile& tile);
 
-    // Computes what follows for a row of the tile.
+    // Computes the following members for a row of the tile.
     void find_row(int y);
     Row lightness, a, b; // Hunt-adjusted L*a*b* after the contrast filters
     Row edges, points;   // strength of features
@@ -54,9 +54,9 @@ private:
     Row first_, second_;
 };
 
-// A filter at many places at once: out += share * (weights times values). `values(offset)` points to the values at that
-// offset from the places. Weights at the same distance are applied together, which halves the products and, above all,
-// leaves exactly nothing of even light where weights add up to 0: FLIP takes a square root of what is left.
+// Applies a filter at `count` pixels of a row: out += share * (weights times values). `values(offset)` points to the
+// values at that offset from the pixels. Weights at the same distance are applied together, which halves the products
+// and makes the result exactly 0 for uniform light where weights add up to 0: FLIP takes a square root of it.
 template <class Values>
 void add_filtered(const Filter& filter, float share, int count, const Values& values, float* __restrict out)
 {
@@ -89,8 +89,8 @@ Color displayed(const float* rgb, const Shown& shown)
             tone_mapped(rgb[2] * shown.factor)};
 }
 
-Seen::Seen(const image::RadianceImage& picture, const FlipFilters& filters, const Shown& shown,
-           const Tile& tile)
+FilteredTile::FilteredTile(const image::RadianceImage& picture, const FlipFilters& filters,
+                           const Shown& shown, const Tile& tile)
     : filters_(filters), tile_(tile), border_(filters.radius)
 {
     for (Row* row : {&lightness, &a, &b, &edges, &points, &first_, &second_})
@@ -105,8 +105,8 @@ Seen::Seen(const image::RadianceImage& picture, const FlipFilters& filters, cons
     }
 }
 
-// The paper's Y, Cx and Cz are these, scaled and moved, which filters whose weights add up to 1 do not notice.
-void Seen::read_row(const image::RadianceImage& picture, const Shown& shown, int y)
+// The paper's Y, Cx and Cz are these, scaled and shifted; filters whose weights add up to 1 commute with that.
+void FilteredTile::read_row(const image::RadianceImage& picture, const Shown& shown, int y)
 {
     for (int i = 0; i < tile_.width + 2 * border_; ++i) {
         const int x = std::clamp(tile_.left + i - border_, 0, picture.width - 1);
@@ -117,7 +117,7 @@ void Seen::read_row(const image::RadianceImage& picture, const Shown& shown, int
     }
 }
 
-void Seen::filter_row(int y)
+void FilteredTile::filter_row(int y)
 {
     const auto put = [&](Plane plane, const Row& in, const Filter& filter) {
         float* out = row(plane, y);
@@ -135,13 +135,13 @@ void Seen::filter_row(int y)
 }
 
 // out += share * the plane filtered along columns at the row y_.
-void Seen::down(Plane plane, const Filter& filter, float share, Row& out) const
+void FilteredTile::down(Plane plane, const Filter& filter, float share, Row& out) const
 {
     add_filtered(
         filter, share, tile_.width, [&](int k) { return row(plane, y_ + k); }, out.data());
 }
 
-void Seen::find_row(int y)
+void FilteredTile::find_row(int y)
 {
     y_ = y + border_;
     const auto both_ways = [&](Plane across, Plane along_rows, const Filter& filter, Row& strength) {
@@ -163,7 +163,7 @@ void Seen::find_row(int y)
     down(blue_yellow_1, filters_.blue_yellow[1], filters_.blue_yellow_share[1], b);
     for (std::size_t x = 0; x < lightness.size(); ++x) {
         Color rgb = transformed(xyz_to_rgb, {lightness[x] + a[x], lightness[x], lightness[x] - b[x]});
-        // What no display can show is cut away (section 4.1.2).
+        // Colours outside a display's range are clamped to it (section 4.1.2).
         rgb = {std::clamp(rgb.x, 0.0f, 1.0f), std::clamp(rgb.y, 0.0f, 1.0f), std::clamp(rgb.z, 0.0f, 1.0f)};
         const Color lab = hunt_lab(transformed(rgb_to_xyz, rgb));
         lightness[x] = lab.x;
@@ -173,7 +173,7 @@ void Seen::find_row(int y)
 }
 
 // Sections 4.2.2 and 4.3: where features differ, colours count for more.
-float flip_error(const Seen& p, const Seen& q, std::size_t x)
+float flip_error(const FilteredTile& p, const FilteredTile& q, std::size_t x)
 {
     const float color = color_error(hyab({p.lightness[x], p.a[x], p.b[x]}, {q.lightness[x], q.a[x], q.b[x]}));
     const float feature = std::max(std::fabs(p.edges[x] - q.edges[x]), std::fabs(p.points[x] - q.points[x]));
@@ -188,7 +188,7 @@ float flip_error(const Seen& p, const Seen& q, std::size_t x)
 void flip_tile(const Pair& pair, const FlipFilters& filters, const Shown& shown, const Tile& tile,
                ErrorMap& map)
 {
-    Seen picture(pair.picture, filters, shown, tile), reference(pair.reference, filters, shown, tile);
+    FilteredTile picture(pair.picture, filters, shown, tile), reference(pair.reference, filters, shown, tile);
     for (int y = 0; y < tile.height; ++y) {
         picture.find_row(y);
         reference.find_row(y);

@@ -1,4 +1,4 @@
-// FLIP over a rectangle of the picture small enough for the processor's caches.
+// FLIP over a rectangle of the images small enough for the processor's caches.
 #pragma once
 
 #include "compare/difference.h"
@@ -16,11 +16,11 @@ struct Tile {
     int left, top, width, height;
 };
 
-/// Sides that keep the filtered planes in the cache and the borders, computed twice, small.
+/// Sizes that keep the filtered planes in the cache, and the borders, which are computed twice, small.
 inline constexpr int tile_width = 256, tile_height = 128;
 
-/// Puts the larger of what is there and the LDR-FLIP error into the tile's pixels of `map`, which has the pictures'
-/// size. Pixels beyond the pictures' borders are those of the border.
+/// Sets the tile's pixels of `map`, which has the images' size, to the larger of their value and the LDR-FLIP error.
+/// Pixels beyond the images' borders are those of the border.
 void flip_tile(const Pair& pair, const FlipFilters& filters, const Shown& shown, const Tile& tile,
                ErrorMap& map);
 

@@ -16,7 +16,7 @@ namespace {
 constexpr int ticks = 5;
 constexpr Code paper = {24, 24, 24}, ink = {235, 235, 235};
 
-// Of the legend, in pixels at scale 1.
+// Sizes of the legend, in pixels at scale 1.
 constexpr int margin = 6, gap = 4, bar_height = 10, tick_height = 3, least_width = 220;
 
 std::string number(double value)

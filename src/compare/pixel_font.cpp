@@ -71,11 +71,11 @@ const Letter& letter_of(char character)
     return found == std::end(letters) ? unknown : *found;
 }
 
-// A square of one pixel of a letter.
-void fill(image::CodeImage& image, const TextPlace& place, const Code& color)
+// Fills the square of one pixel of a letter.
+void fill(image::CodeImage& image, const TextPosition& position, const Code& color)
 {
-    for (int y = std::max(place.y, 0); y < std::min(place.y + place.scale, image.height); ++y)
-        for (int x = std::max(place.x, 0); x < std::min(place.x + place.scale, image.width); ++x) {
+    for (int y = std::max(position.y, 0); y < std::min(position.y + position.scale, image.height); ++y)
+        for (int x = std::max(position.x, 0); x < std::min(position.x + position.scale, image.width); ++x) {
             const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
                                       static_cast<std::size_t>(x);
             std::copy(color.begin(), color.end(),
@@ -90,16 +90,18 @@ int text_width(std::string_view text, int scale)
     return text.empty() ? 0 : (static_cast<int>(text.size()) * letter_pitch - 1) * scale;
 }
 
-void draw_text(image::CodeImage& image, std::string_view text, const TextPlace& place, const Code& color)
+void draw_text(image::CodeImage& image, std::string_view text, const TextPosition& position,
+               const Code& color)
 {
-    int left = place.x;
+    int left = position.x;
     for (const char character : text) {
         const Letter& letter = letter_of(character);
         for (int y = 0; y < letter_height; ++y)
             for (int x = 0; x < letter_pitch - 1; ++x)
                 if (letter.rows[static_cast<std::size_t>(y)][x] == '#')
-                    fill(image, {left + x * place.scale, place.y + y * place.scale, place.scale}, color);
-        left += letter_pitch * place.scale;
+                    fill(image, {left + x * position.scale, position.y + y * position.scale, position.scale},
+                         color);
+        left += letter_pitch * position.scale;
     }
 }
 

@@ -1,11 +1,11 @@
-// Light becomes code values here and nowhere else: exposure, tone curve, contrast, transfer, rounding.
+// The only conversion of light to code values: exposure, tone curve, contrast, transfer, rounding.
 #pragma once
 
 #include "image/image.h"
 
 namespace lambent::display {
 
-/// From exposed light to [0, 1]; see equations/tone.glsl for each curve and its source.
+/// Tone curves, from exposed light to [0, 1]; see equations/tone.glsl for each curve and its source.
 enum class Tone { reinhard, neutral, aces, agx, linear };
 
 struct Settings {
@@ -19,12 +19,12 @@ struct Settings {
     bool unlit_by_power =
         false; ///< colours without lighting were decoded by a power of 2.2, not by the sRGB curve
     bool dither =
-        false; ///< noise of one code, triangular, the same for every picture, before rounding to 8 bits
+        false; ///< noise of one code, triangular, the same for every image, before rounding to 8 bits
 };
 
-/// 8-bit RGB codes of an RGB or RGBA picture, rounded to nearest. NaN and negative light become black, infinite white. What it
-/// has without lighting (RadianceImage::unlit) is encoded, no more: whatever exposure, curve and contrast are, a texel comes
-/// out as the code that it is. Where a pixel shows both they are mixed as the light that a display makes of them.
+/// 8-bit RGB codes of an RGB or RGBA image, rounded to nearest. NaN and negative light become black, infinite light
+/// white. Colours without lighting (RadianceImage::unlit) are only encoded: whatever exposure, curve and contrast are,
+/// a texel's code is displayed unchanged. In pixels with both, they are mixed as light emitted by the display.
 image::CodeImage to_codes(const image::RadianceImage& light, const Settings& settings);
 
 } // namespace lambent::display

@@ -35,10 +35,10 @@ vec3 curve(Tone tone, vec3 c)
 vec3 displayed(const Settings& s, vec3 light)
 {
     // Beyond 1e30 every curve is white; NaN compares false and becomes black.
-    const vec3 believed = vec3(select(light.x > 0.0, min(light.x, 1.0e30), 0.0),
-                               select(light.y > 0.0, min(light.y, 1.0e30), 0.0),
-                               select(light.z > 0.0, min(light.z, 1.0e30), 0.0));
-    const vec3 exposed = min(Real(s.exposure) * believed, vec3(1.0e30));
+    const vec3 valid = vec3(select(light.x > 0.0, min(light.x, 1.0e30), 0.0),
+                            select(light.y > 0.0, min(light.y, 1.0e30), 0.0),
+                            select(light.z > 0.0, min(light.z, 1.0e30), 0.0));
+    const vec3 exposed = min(Real(s.exposure) * valid, vec3(1.0e30));
     const vec3 toned = clamp(curve(s.tone, exposed), 0.0, 1.0);
     const bool by_power = s.tone == Tone::reinhard || s.tone == Tone::agx;
     const float exponent = s.encode && by_power ? s.contrast / 2.2f : s.contrast;
@@ -46,7 +46,7 @@ vec3 displayed(const Settings& s, vec3 light)
     return s.encode && !by_power ? srgb_encode(contrasted) : contrasted;
 }
 
-// Light of a code as a display makes it, and the code of that light.
+// The light that a display emits for a code; code_of_light() is the inverse.
 vec3 light_of_code(const Settings& s, vec3 code)
 {
     if (!s.encode)
@@ -62,10 +62,10 @@ vec3 code_of_light(const Settings& s, vec3 light)
     return s.unlit_by_power ? power(light, Real(1.0 / 2.2)) : srgb_encode(light);
 }
 
-// Code values where a share of the light is shown as it is.
+// Code values of light that contains `unlit`, a colour without lighting that covers `share` of the pixel.
 vec3 displayed_with(const Settings& s, vec3 light, vec3 unlit, Real share)
 {
-    constexpr double least = 1.0 / 512.0; // of the rest: less is rounding
+    constexpr double least = 1.0 / 512.0; // share of lit light; less is a rounding error
     const Real part = clamp(share, 0.0, 1.0), left = 1.0 - part;
     const Real scale = select(left > least, 1.0 / max(left, least), 0.0);
     const vec3 rest = displayed(s, scale * (light - unlit));
@@ -74,7 +74,8 @@ vec3 displayed_with(const Settings& s, vec3 light, vec3 unlit, Real share)
     return select(part > 0.0, mixed, displayed(s, light));
 }
 
-// Pixels of `channels` values each, one plane per value; beyond `count` 0.
+// Loads the first `used` of each pixel's `channels` values, one plane per value. Lanes from `count` on are left as they
+// are.
 void load_planes(const float* in, int channels, int count, float (*planes)[max_lanes], int used)
 {
     for (int i = 0; i < count; ++i)
@@ -94,7 +95,8 @@ vec3 shown_at(const DisplayRow& row, const Settings& settings, int first, int co
     return displayed_with(settings, light, vec3(load(own[0]), load(own[1]), load(own[2])), load(own[3]));
 }
 
-// Noise in (-1, 1) with a triangular distribution: the sum of two hashes of the place. [Wang 2007, integer hash]
+// Noise in (-1, 1) with a triangular distribution: the difference of two hashes of the pixel's coordinates and channel.
+// [Wang 2007, integer hash]
 Real triangular_noise(Int x, int y, int channel)
 {
     const auto hash = [](Int seed) HWY_ATTR {
@@ -102,11 +104,11 @@ Real triangular_noise(Int x, int y, int channel)
         const Int b = hn::Mul(hn::Xor(a, hn::ShiftRight<12>(a)), integer(0x297a2d39));
         return hn::And(hn::Xor(b, hn::ShiftRight<15>(b)), integer(0xffff));
     };
-    // In unsigned numbers, which may overflow.
+    // Unsigned, since overflow is intended.
     const uint32_t row = static_cast<uint32_t>(y) * 0x1f123u + static_cast<uint32_t>(channel) * 0x5851u;
-    const Int place = hn::Add(x, integer(static_cast<int>(row)));
-    const Int other = hn::Add(place, integer(0x3ade68b));
-    return to_real(hn::Sub(hash(place), hash(other))) * (1.0 / 65536.0);
+    const Int seed = hn::Add(x, integer(static_cast<int>(row)));
+    const Int other = hn::Add(seed, integer(0x3ade68b));
+    return to_real(hn::Sub(hash(seed), hash(other))) * (1.0 / 65536.0);
 }
 
 Int rounded(const Settings& s, Real value, Int x, int y, int channel)

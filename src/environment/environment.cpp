@@ -12,7 +12,7 @@
 namespace lambent::environment {
 namespace {
 
-// A sum over texels takes each for a point; texels as wide as the sky have to be divided before.
+// The sum over texels treats each as a point, so panoramas of few, large texels are enlarged first.
 IrradianceMap irradiance_of(const Panorama& panorama)
 {
     return make_irradiance_map(at_least(panorama, 64, 32));

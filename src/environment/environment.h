@@ -1,4 +1,4 @@
-// An environment ready to draw with: what light comes from where, at every sharpness.
+// An environment prepared for drawing: the panorama, its blurs, its lamps and its irradiance.
 #pragma once
 
 #include "base/identity.h"
@@ -12,18 +12,18 @@
 namespace lambent::environment {
 
 struct Environment {
-    Panorama panorama;        ///< the picture itself: background
+    Panorama panorama;        ///< as given: background
     CubeChain chain;          ///< Gaussian blurs: specular light
-    Lamps lamps;              ///< what the coarse ones of them do without
+    Lamps lamps;              ///< bright spots that the chain's coarse levels leave out
     IrradianceMap irradiance; ///< diffuse light
-    Identity identity{};      ///< for who keeps something made from the others, which then must not change
+    Identity identity{};      ///< key for data derived from the other members, which then must not change
 };
 
-/// Everything from the panorama. `threads` are those of the calling TBB arena.
+/// Prepares a panorama for drawing, on the threads of the calling TBB arena.
 Environment make_environment(Panorama panorama);
 
-/// The panorama and its halvings, exactly 2^k times smaller, down to a height of 1: the report's own mip chain.
-/// The panorama is first enlarged to powers of two, its light kept, if it is not.
+/// The report's mip chain: the panorama and its halvings, each exactly half as large, down to a height of 1. A panorama
+/// whose sides are not powers of two is first enlarged to such, keeping its light.
 std::vector<Panorama> mip_chain(const Panorama& panorama);
 
 } // namespace lambent::environment

@@ -1,4 +1,4 @@
-// The whole text, in the order in which it must be read.
+// All equations, in the order of their dependencies.
 #include "fresnel.glsl"
 #include "frame.glsl"
 #include "phong.glsl"

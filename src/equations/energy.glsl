@@ -1,9 +1,10 @@
-// Energy that single scattering loses on rough surfaces, given back; and what is left for the layer below.
+// Compensation of the energy that single scattering loses on rough surfaces, and the energy left for the layer below.
 // `albedo` holds the two parts of the directional albedo of GGX at one NV and alpha: for reflectance F0 it is
 // F0 * albedo.x + albedo.y (the split-sum table). [Karis 2013, "Real shading in Unreal Engine 4"]
 
 // Factor that restores the light scattered more than once: 1 + F0 (1 - E) / E, with E the albedo of a white metal;
-// `compensation` of 0 to 1 of it. [Turquin 2019, "Practical multiple scattering compensation for microfacet models"]
+// `compensation`, 0 to 1, is the share restored. [Turquin 2019, "Practical multiple scattering compensation for
+// microfacet models"]
 // Witness: the white furnace is 1 at every roughness.
 vec3 energy_compensation(vec3 F0, vec2 albedo, Real compensation)
 {
@@ -13,7 +14,7 @@ vec3 energy_compensation(vec3 F0, vec2 albedo, Real compensation)
 
 // A metallic-roughness material at one point. base is linear RGB; metalness and alpha in [0, 1], alpha along the tangent and
 // along the bitangent. tangent: a unit vector in the surface, not read where both are the same. compensation is 1, or 0 to leave
-// out what is scattered more than once.
+// out light scattered more than once.
 struct Metallic {
     vec3 base;
     Real metalness;
@@ -22,8 +23,8 @@ struct Metallic {
     Real compensation;
 };
 
-// How light adds up: plain * (radiance averaged over the lobe with weight 1 - (1 - VH)^5) + grazing * (the same with
-// weight (1 - VH)^5) + diffuse * irradiance / pi.
+// Factors of the reflected light: plain * (radiance averaged over the lobe with weight 1 - (1 - VH)^5) + grazing * (the
+// same with weight (1 - VH)^5) + diffuse * irradiance / pi.
 struct Reflectance {
     vec3 plain;
     vec3 grazing;

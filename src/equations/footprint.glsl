@@ -1,9 +1,9 @@
-// Reading an environment through a blur that fits a sample. The environment is kept as a chain of Gaussian blurs on
-// the sphere: level l >= 1 has the angular variance v1 4^(l-1), level 0 is the picture itself, of variance v1 / 16.
+// The environment's blurs whose width fits a sample's footprint. The environment is stored as a chain of Gaussian blurs
+// on the sphere: level l >= 1 has the angular variance v1 4^(l-1), level 0 is the panorama itself, of variance v1 / 16.
 // (Isotropic Gaussians, not boxes: a box moves light by up to half a texel of its level, which at 40 samples is an
 // error of 3 to 25% where Gaussians leave 2 to 8%.)
 
-// Level, fractional, whose blend of two neighbours has `variance` = the wanted angular variance over v1. At least 0.
+// The fractional level whose blend of two neighbours has the angular variance `variance` times v1. At least 0.
 // Witness: the variance of the blend, over four decades.
 Real level_of_variance(Real variance)
 {
@@ -13,22 +13,26 @@ Real level_of_variance(Real variance)
     return max(select(variance < 1.0, below, above), 0.0);
 }
 
-// A level as a part of the highest that there is, 0 to 1. Witness: the ends of a chain, and its middle.
+// A level as a fraction of the highest level, 0 to 1. Witness: the ends of a chain, and its middle.
 Real part_of_levels(Real level, Real highest) { return clamp(level / max(highest, 1.0), 0.0, 1.0); }
 
-// The share of a lobe's solid angle that one of its N samples stands for, as the variance of a Gaussian: the spread
-// is 1 / (N density), and neighbours a distance sqrt(spread) apart overlap well at 0.55 of it: the error over a sphere
-// is least there. (A sun would show each sample as a dot below 0.67, but is not in the blurs that are so wide.)
+// The variance of a Gaussian that covers one sample's share of a lobe. Each of N samples represents the solid angle
+// `spread`, 1 / (N density); neighbours are sqrt(spread) apart, and a standard deviation of 0.55 of that gives the
+// least error over a sphere. (Below 0.67 a sun shows each sample as a dot, but blurs that wide leave the sun out.)
 // [footprint from density: Colbert and Krivanek 2007, GPU Gems 3 ch. 20; measured by tests/draw/specular_error_test]
 // Witness: a lamp of a few degrees through a lobe of such samples has one maximum, and the lobe's shape.
 Real variance_of_spread(Real spread) { return 0.3 * spread; }
 
-// How much of a blur of `variance`, read between two levels, is of the coarser one. The levels' own variances in .x and .y.
-// Witness: the variance of the blend.
-Real share_of_coarser(Real variance, vec2 levels) { return clamp((variance - levels.x) / (levels.y - levels.x), 0.0, 1.0); }
+// The share of the coarser level in a blend of two levels that has `variance`. levels: the variances of the finer (x)
+// and the coarser level (y). Witness: the variance of the blend.
+Real share_of_coarser(Real variance, vec2 levels)
+{
+    return clamp((variance - levels.x) / (levels.y - levels.x), 0.0, 1.0);
+}
 
-// Density on the sphere of a Gaussian of that angular variance (up to about half a radian squared), from the square of the
-// chord to its middle. [Fisher 1953, "Dispersion on a sphere"] Witness: quadrature gives 1, and the variance.
+// Density per solid angle of a Gaussian on the sphere, of an angular variance up to about half a radian squared, from
+// the squared chord to its centre. [Fisher 1953, "Dispersion on a sphere"]
+// Witness: quadrature gives 1, and the variance.
 Real gaussian_on_sphere(Real chord2, Real variance)
 {
     Real kappa = 1.0 / variance;

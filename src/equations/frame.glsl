@@ -1,4 +1,4 @@
-// Rotation that takes +z to the unit vector N; its columns are two tangents and N. Smooth but for N.z = 0 crossings.
+// Rotation that takes +z to the unit vector N; its columns are two tangents and N. Smooth except where N.z crosses 0.
 // [Duff et al. 2017, "Building an orthonormal basis, revisited", JCGT 6(1)]
 // Witness: orthonormality and determinant 1 over the sphere.
 mat3 orthonormal_frame(vec3 N)
@@ -13,9 +13,9 @@ mat3 orthonormal_frame(vec3 N)
 // Witness: coplanar, at the same angle.
 vec3 mirrored(vec3 N, vec3 V) { return 2.0 * dot(N, V) * N - V; }
 
-// A frame about N for everything that is sampled as seen along V: `across` made perpendicular to V, and carried from
-// V to N the shortest way. Turning with V rather than with N alone, it has no seam in a picture, and no swirl where N
-// and V meet; only at N = -V it is not defined. `across` is any direction but V, such as the camera's right.
+// A frame about N for sampling as seen along V: `across`, made perpendicular to V, is carried from V to N by the
+// shortest rotation. As it turns with V and not with N alone, it has no seam in an image and no swirl where N and V
+// coincide; it is undefined only at N = -V. `across` is any direction but V, such as the camera's right.
 // Columns: two tangents and N. Witness: orthonormality; V along N gives `across` back; the limit towards V.
 mat3 carried_frame(vec3 N, vec3 V, vec3 across)
 {

@@ -9,13 +9,13 @@ Real schlick_weight(Real VH)
 }
 
 // Reflectance of a facet: F0 at normal incidence, 1 at grazing. F0 in [0, 1], per colour channel.
-// Witness: as above.
+// Witness: that of schlick_weight.
 vec3 fresnel_schlick(vec3 F0, Real VH) { return F0 + schlick_weight(VH) * (1.0 - F0); }
 
 // Reflectance of a dielectric at normal incidence: an index of refraction of 1.5. [glTF 2.0, B.2]
 // Witness: Fresnel's equations there.
 Real dielectric_reflectance() { return 0.04; }
 
-// The same of a metallic-roughness material as one F0: that of a dielectric, or for a metal its colour.
+// The reflectance of a metallic-roughness material at normal incidence: a dielectric's, or for a metal its colour.
 // [glTF 2.0, B.3.5] Witness: both ends.
 vec3 base_reflectance(vec3 base, Real metalness) { return mix(vec3(dielectric_reflectance()), base, metalness); }

@@ -45,7 +45,7 @@ Real smith_ggx(vec3 w, vec2 alpha)
 // Fraction of facets visible from V, G1 in [0, 1]. Witness: the visible facets' projected area equals NV.
 Real masking_ggx(Real NV, Real alpha) { return 2.0 * NV / (NV + smith_ggx(NV, alpha)); }
 
-// Height-correlated masking and shadowing with the denominator taken in: G2 / (4 NL NV). NL, NV in (0, 1].
+// Height-correlated masking and shadowing over the BRDF's denominator: G2 / (4 NL NV). NL, NV in (0, 1].
 // [Heitz 2014, eq. 99] Witness: G2 = 1 / (1 + lambda(V) + lambda(L)), each lambda by quadrature of D.
 Real visibility_ggx(Real NL, Real NV, Real alpha)
 {
@@ -73,7 +73,7 @@ struct VisibleFacet {
 };
 
 // The view, given in such a frame, in the stretched space in which GGX is a hemisphere. [Heitz 2018, JCGT 7(4), 3.2]
-// Witness: the sampler's.
+// Witness: that of sample_visible_ggx.
 vec3 stretched_view(vec3 view, vec2 alpha) { return normalize(vec3(alpha.x * view.x, alpha.y * view.y, view.z)); }
 
 // The factor of VisibleFacet::spread that all facets of one view share, pi alpha.x alpha.y 4 NV / G1, from smith_ggx of the view.
@@ -99,9 +99,9 @@ VisibleFacet sample_visible_ggx(vec3 stretched, vec2 alpha, vec3 point)
     return facet;
 }
 
-// The part of sample_visible_ggx's xi2, from 0 on, that is worth drawing: no facet beyond mirrors V, given in the
-// surface's frame, to above the horizon. Half of it where alpha = 1 and V is the normal, all of it where alpha = 0.
-// [Eto and Tokuyoshi 2023, "Bounded VNDF sampling for Smith-GGX reflections"] Witness: what is left out lies below.
+// The share of sample_visible_ggx's range of xi2, from 0 on, whose facets can mirror V, given in the surface's frame,
+// to above the horizon; no facet beyond can. 1/2 where alpha = 1 and V is the normal, 1 where alpha = 0.
+// [Eto and Tokuyoshi 2023, "Bounded VNDF sampling for Smith-GGX reflections"] Witness: facets beyond mirror below it.
 Real reflecting_share_ggx(vec3 view, vec2 alpha)
 {
     Real smaller = min(alpha.x, alpha.y);

@@ -1,10 +1,10 @@
-// The text in double: for tests, tables and whatever is computed once. See README.md.
+// The equations in double, for tests, tables and values that are computed once. See README.md.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 
-// The text's functions are neither inline nor all used by everyone: each file gets its own copy, without a warning.
+// The functions are not inline, and no file uses all of them: each file gets its own copies, without a warning.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 

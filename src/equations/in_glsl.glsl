@@ -1,4 +1,4 @@
-// What the text needs beyond GLSL's own types and builtins. Include before all.glsl.
+// Types and functions that the equations need beyond GLSL's own. Include before all.glsl.
 #define Real float
 #define Mask bool
 
@@ -18,8 +18,8 @@ bool any_of(bool m) { return m; }
 float select(bool m, float yes, float no) { return m ? yes : no; }
 vec3 select(bool m, vec3 yes, vec3 no) { return m ? yes : no; }
 
-// Devices may be 4096 units off in the last place here, which moves a panorama by texels; the polynomials of
-// wide/approximations.h are good to 1.5e-6.
+// Devices' own functions may have errors of 4096 units in the last place, which moves a panorama by texels; those of
+// the polynomials of wide/approximations.h are at most 1.5e-6.
 float arc_tangent(float y, float x)
 {
     float ratio = min(abs(x), abs(y)) / max(max(abs(x), abs(y)), 1.0e-30);

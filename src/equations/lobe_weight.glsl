@@ -1,14 +1,15 @@
-// What environments are averaged with when they are prefiltered: a lobe seen along its middle, R = N = V.
+// The weights by which prefiltering averages an environment: a lobe seen along its axis, R = N = V.
 
-// A weight, and half its Laplacian on the sphere: light spread by a small variance v sees value + v curvature.
+// A weight, and half its Laplacian on the sphere: light of a small angular variance v has the mean weight
+// value + v curvature.
 struct LobeWeight {
     Real value;
     Real curvature;
 };
 
-// GGX: cosine / q^2, q = alpha^2 + (1 - alpha^2) (1 - cosine) / 2, up to a constant D(h) N.L with h half way between N and L.
-// c: the cosine, above 0; versine: 1 - c, exact where the lobe is narrow. Half the Laplacian of f(c) on the sphere is
-// ((1 - c^2) f'' - 2 c f') / 2. Witness: differences of the definition.
+// GGX: cosine / q^2, q = alpha^2 + (1 - alpha^2) (1 - cosine) / 2, up to a constant D(h) N.L with h half way between N
+// and L. c: the cosine, above 0; versine: 1 - c, exact where the lobe is narrow. Half the Laplacian of f(c) on the
+// sphere is ((1 - c^2) f'' - 2 c f') / 2. Witness: differences of the definition.
 LobeWeight lobe_weight_ggx(Real c, Real versine, Real alpha2)
 {
     Real b = 0.5 - 0.5 * alpha2;
@@ -20,7 +21,7 @@ LobeWeight lobe_weight_ggx(Real c, Real versine, Real alpha2)
     return w;
 }
 
-// The report's: cosine^exponent. Witness: differences of the definition.
+// The report's lobe: cosine^exponent. Witness: differences of the definition.
 LobeWeight lobe_weight_phong(Real c, Real versine, Real exponent)
 {
     Real safe = max(c, 1.0e-6);
@@ -31,15 +32,15 @@ LobeWeight lobe_weight_phong(Real c, Real versine, Real exponent)
     return w;
 }
 
-// Cells of light times weight, and of solid angle times weight.
+// Sums over cells of light times weight, and of solid angle times weight.
 struct LobeSum {
     vec3 light;
     Real weight;
 };
 
-// All weights add up to the lobe's integral. Where they do not, the dim cells are to blame, which are coarse: their light is
-// brought to what they have left. So even light stays even, and a sun is not dimmed by the sky around it.
-// Witness: even light, however unevenly it was summed; a sun beside it.
+// The mean over the lobe. All weights should add up to the lobe's integral; a difference is ascribed to the dim cells,
+// which are coarse, and their light is scaled to the weight that is left to them. So uniform light stays uniform, and a
+// sun is not dimmed by the sky around it. Witness: uniform light, however unevenly it was summed; a sun beside it.
 vec3 mean_of_lobe(LobeSum dim, LobeSum bright, Real integral)
 {
     Real least = 0.05 * integral;

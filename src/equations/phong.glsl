@@ -53,5 +53,5 @@ Real log2_lobe_density_phong(Real log2_xi2, Real alpha)
 // Witness: both densities at NH = 1.
 Real phong_exponent(Real alpha) { return clamp(2.0 / max(alpha * alpha, 1.0e-7) - 2.0, 0.01, 1.0e6); }
 
-// Its inverse within the range: the roughness alpha whose highlight is as high. Witness: round trip.
+// The inverse of phong_exponent within that range: the roughness alpha with an equally high peak. Witness: round trip.
 Real phong_alpha(Real exponent) { return sqrt(2.0 / (exponent + 2.0)); }

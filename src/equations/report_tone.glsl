@@ -1,6 +1,6 @@
-// What the report makes of every value that it reads of its environment (docs/REPORT.md).
+// The report's tone mapping of every value that it reads of its environment (docs/REPORT.md).
 
-// decode: power of what is read, 2.2, or 1 in nonlinear colour. exposure: e. encode: power of the curve, K / 2.2, or K.
+// decode: power of a value read, 2.2, or 1 in nonlinear colour. exposure: e. encode: power of the curve, K / 2.2, or K.
 // back: power of the specular pass's mean, 1 / 2.2, or 1.
 struct ReportTone {
     Real decode;

@@ -1,6 +1,6 @@
-// Pictures of the sphere. +Y is up. u runs to the right and v down, both in [0, 1].
+// Mappings of the sphere to images. +Y is up. u runs to the right and v down, both in [0, 1].
 
-// Panorama coordinates of a direction: the middle of the picture is +X, and +Z lies a quarter to the right of it.
+// Panorama coordinates of a direction: the middle of the panorama is +X, and +Z lies a quarter to the right of it.
 // (The orientation of three.js, F3D and Blender.) Witness: the six axes; round trip.
 vec2 equirectangular_from_direction(vec3 d)
 {
@@ -9,7 +9,7 @@ vec2 equirectangular_from_direction(vec3 d)
     return vec2(atan(d.z, x) * 0.15915494309189535 + 0.5, acos(clamp(d.y, -1.0, 1.0)) * 0.3183098861837907);
 }
 
-// Its inverse. Witness: round trip.
+// The inverse of equirectangular_from_direction. Witness: round trip.
 vec3 direction_from_equirectangular(vec2 uv)
 {
     Real phi = (uv.x - 0.5) * 6.283185307179586;
@@ -35,7 +35,7 @@ vec3 direction_from_cube(int face, Real s, Real t)
     return vec3(-s, -t, -1.0);
 }
 
-// Where a direction of any length but 0 meets the cube.
+// The point at which a direction of any length but 0 meets the cube.
 struct CubePlace {
     Real face;
     Real s;
@@ -51,7 +51,7 @@ CubePlace cube_from_direction(vec3 d)
     Mask x_major = ax >= ay && ax >= az;
     Mask y_major = !x_major && ay >= az;
     Real axis = select(x_major, d.x, select(y_major, d.y, d.z));
-    // Divided by the signed axis, the coordinates that turn round with it get their sign.
+    // Coordinates whose sign changes with the axis are divided by it, the others by its absolute value.
     Real turned = 1.0 / select(abs(axis) > 1.0e-30, axis, 1.0e-30);
     Real straight = abs(turned);
     Real s = select(x_major, -d.z, d.x) * select(y_major, straight, turned);

@@ -31,7 +31,7 @@ Harmonics harmonics(vec3 d)
 }
 
 // Irradiance on a surface of normal N from the coefficients L of radiance: each band times the clamped cosine's
-// pi, 2 pi / 3, pi / 4. [Ramamoorthi and Hanrahan 2001, eq. 8-9] Negative for hard light; the caller clamps.
+// pi, 2 pi / 3, pi / 4. [Ramamoorthi and Hanrahan 2001, eq. 8-9] May be negative for hard light; the caller clamps.
 // Witness: radiance that is itself a harmonic of band 0 to 2.
 Real harmonic_irradiance(Harmonics L, vec3 N)
 {

@@ -1,5 +1,5 @@
 // Tone curves: from exposed linear light (Rec. 709, 0 and up) to display-linear light in [0, 1], before contrast and
-// transfer. All of them rise on greys, which stay grey, and stay in range.
+// transfer. All are increasing on greys, keep greys grey, and stay in range.
 
 // The report's curve, c / (c + 1), per channel. [Reinhard et al. 2002, eq. 3, with the luminance per channel]
 // Witness: fixed points.
@@ -28,7 +28,8 @@ vec3 tone_neutral(vec3 c)
 // Witness: the Academy's tone scales, within the fit's error; the matrices from primaries and whites.
 vec3 tone_aces(vec3 c)
 {
-    mat3 to_aces = mat3(vec3(0.59719, 0.07600, 0.02840), vec3(0.35458, 0.90834, 0.13383), vec3(0.04823, 0.01566, 0.83777));
+    mat3 to_aces =
+        mat3(vec3(0.59719, 0.07600, 0.02840), vec3(0.35458, 0.90834, 0.13383), vec3(0.04823, 0.01566, 0.83777));
     mat3 to_display =
         mat3(vec3(1.60475, -0.10208, -0.00327), vec3(-0.53108, 1.10813, -0.07276), vec3(-0.07367, -0.00605, 1.07602));
     vec3 v = to_aces * (min(c, vec3(1.0e6)) * (1.0 / 0.6));
@@ -38,7 +39,7 @@ vec3 tone_aces(vec3 c)
 }
 
 // AgX's sigmoid on log-encoded light: through (0, 0), (0.606, 0.5) with slope 2, and (1, 1); toe power 3, shoulder
-// power 3.25. The scales 59.5 and 69.9 are what those end points ask for. [Sobotka 2022, AgX]
+// power 3.25. The scales 59.5 and 69.9 follow from those end points. [Sobotka 2022, AgX]
 // Witness: Sobotka's general form with scales worked out in double; the end points and the slope.
 Real agx_sigmoid(Real x)
 {

@@ -1,6 +1,6 @@
-// Between light and code values, both in [0, 1], one channel.
+// Conversions between light and code values, both in [0, 1].
 
-// a^b for a >= 0, b > 0; 0 stays 0, and so does what is below. Witness: std::pow.
+// a^b for b > 0; 0 for a of 0 or below. Witness: std::pow.
 Real power(Real a, Real b) { return select(a > 0.0, exp2(b * log2(max(a, 1.0e-30))), 0.0); }
 
 // The exact sRGB curve. [IEC 61966-2-1] Witness: published codes; continuity at the joint; round trip.
@@ -9,7 +9,7 @@ Real srgb_encode(Real light)
     return select(light <= 0.0031308, 12.92 * light, 1.055 * power(light, 1.0 / 2.4) - 0.055);
 }
 
-// Its inverse. Witness: published codes; round trip.
+// The inverse of srgb_encode. Witness: published codes; round trip.
 Real srgb_decode(Real code)
 {
     return select(code <= 0.04045, code * (1.0 / 12.92), power((code + 0.055) * (1.0 / 1.055), 2.4));

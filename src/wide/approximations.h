@@ -1,8 +1,8 @@
-// GLSL's functions over lanes, from polynomials of our own fit (least maximum error, Lawson's method, on Chebyshev
-// nodes). Errors are measured by tests/wide over the ranges given. Included after lanes.h: no guard, by design.
+// GLSL's functions over lanes, by polynomials fitted for this project (least maximum error, Lawson's method, on
+// Chebyshev nodes). tests/wide measures the errors over the ranges given. Included after lanes.h: no guard, by design.
 
-// 1 / a for a normal number whose inverse is one: the hardware's estimate and one Newton-Raphson step; relative error
-// 3e-7.
+// 1 / a for a normal number whose inverse is normal: the hardware's estimate and one Newton-Raphson step; relative
+// error 3e-7.
 HWY_INLINE Real reciprocal(Real a)
 {
     const Real r = hn::ApproximateReciprocal(a.v);
@@ -36,15 +36,15 @@ HWY_INLINE Real polynomial(Real t, double first, Rest... rest)
     return p;
 }
 
-// Of a normal number above 0, exactly: half the exponent is found by one shift more than the exponent itself.
+// Exact for a normal number above 0: shifting by 24 bits instead of 23 halves the exponent.
 HWY_INLINE PowersOfFour powers_of_four(Real a)
 {
     const Int exponent = hn::ShiftRight<24>(hn::Sub(bits(a), integer(127 << 23)));
     return {from_bits(hn::Sub(bits(a), hn::ShiftLeft<24>(exponent))), to_real(exponent)};
 }
 
-// log2 of a normal number: mantissa taken in [1/sqrt 2, sqrt 2] so that the error is relative (4e-7, beside 1 half of
-// that) also near 1, where Phong exponents of 1e6 multiply it.
+// log2 of a normal number. The mantissa is taken in [1/sqrt 2, sqrt 2], so that the error is relative also near 1,
+// where Phong exponents of 1e6 multiply it: 4e-7, next to 1 half of that.
 HWY_INLINE Real log2(Real a)
 {
     const Int offset = hn::Sub(bits(a), integer(0x3f3504f3));
@@ -77,7 +77,7 @@ HWY_INLINE Real atan(Real y, Real x)
     return hn::CopySignToAbs(half_plane.v, y.v);
 }
 
-// Of a in [-1, 1]; absolute error 1.5e-6.
+// The arc cosine of a in [-1, 1]; absolute error 1.5e-6.
 HWY_INLINE Real acos(Real a)
 {
     const Real b = abs(a);
@@ -87,7 +87,7 @@ HWY_INLINE Real acos(Real a)
     return select(a < 0.0, 3.141592653589793 - angle, angle);
 }
 
-// Absolute error 2e-7 for |a| up to 39000.
+// Sine and cosine: absolute error 2e-7 for |a| up to 39000.
 HWY_INLINE Real sin(Real a)
 {
     return hn::Sin(FloatTag(), a.v);

@@ -34,7 +34,7 @@ const std::vector<InstructionSet>& sets()
          }},
     };
 #else
-    static const std::vector<InstructionSet> all; // nothing to choose from
+    static const std::vector<InstructionSet> all; // no choice on other architectures
 #endif
     return all;
 }

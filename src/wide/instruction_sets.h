@@ -1,5 +1,5 @@
-// Which of the processor's instructions are used: all of them, unless LAMBENT_ISA says less. For tests, which so see on
-// one machine what others draw.
+// Selects the processor's instructions that are used: all of them, unless LAMBENT_ISA limits them, so that tests can
+// compute on one machine what other processors would.
 #pragma once
 
 #include <string>
@@ -14,17 +14,17 @@ inline constexpr const char* limit_variable = "LAMBENT_ISA";
 /// and avx512. Kernels have targets of their own: the portable fallback for sse2, SSE4 up to avx.
 const std::vector<std::string>& instruction_sets();
 
-/// Those that this processor has.
+/// The instruction sets that this processor has.
 std::vector<std::string> available_instruction_sets();
 
-/// From now on nothing newer than `name` is used; empty: everything is. Not while something is computed. Throws
-/// Error(usage) for an unknown name, Error(no_device) for one that this processor lacks.
+/// Limits kernels to instructions no newer than `name`; an empty name removes the limit. Must not be called while
+/// kernels run. Throws Error(usage) for an unknown name, Error(no_device) for one that this processor lacks.
 void limit_instructions(const std::string& name);
 
-/// limit_instructions() to what LAMBENT_ISA says, if it is set.
+/// Calls limit_instructions() with the value of LAMBENT_ISA, if it is set.
 void limit_instructions_by_environment();
 
-/// What limit_instructions() was given last; empty: no limit.
+/// The name last given to limit_instructions(); empty: no limit.
 const std::string& instruction_limit();
 
 } // namespace lambent::wide

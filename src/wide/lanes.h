@@ -1,4 +1,5 @@
-// The text over SIMD lanes: Real is one float per lane of the widest vector of the Highway target being compiled.
+// The types of the equations over SIMD lanes: Real is one float per lane of the widest vector of the Highway target
+// that is being compiled.
 // Included inside the target's namespace, between HWY_BEFORE_NAMESPACE and HWY_AFTER_NAMESPACE: no guard, by design.
 // No friend function is defined inside a class: g++ 12 would compile it for the baseline instead of the target.
 // Never built with -ffast-math: it cancels the additions by which Highway rounds on SSSE3.
@@ -11,7 +12,7 @@ using FloatTag = hn::ScalableTag<float>;
 using IntTag = hn::RebindToSigned<FloatTag>;
 using Int = hn::Vec<IntTag>;
 
-// Most lanes any target has; buffers of one vector are this long.
+// The most lanes that any target has, and the length of buffers for one vector.
 constexpr size_t max_lanes = 16;
 
 // Lanes of this target, known when compiling for all but the scalable targets, which are not built.

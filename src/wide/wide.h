@@ -1,4 +1,4 @@
-// The whole of the equations over the lanes of the target being compiled. A file that uses it looks like this:
+// All equations over the lanes of the target being compiled. A file that uses them looks like this:
 //
 //     #undef HWY_TARGET_INCLUDE
 //     #define HWY_TARGET_INCLUDE "folder/this_file.cpp"
@@ -13,7 +13,7 @@
 // No guard, by design: it is read once for each target.
 
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function" // nobody uses the whole text
+#pragma GCC diagnostic ignored "-Wunused-function" // no file uses all equations
 
 #include "wide/lanes.h"
 #include "wide/approximations.h"

@@ -140,7 +140,7 @@ TEST(PixelFont, LettersStandWhereTheyShouldAndNowhereElse)
 TEST(PixelFont, WhatDoesNotFitIsLeftOut)
 {
     image::CodeImage image{10, 10, 3, 8, std::vector<std::uint8_t>(300)};
-    for (const TextPlace& place : {TextPlace{-8, -5, 2}, {7, 7, 3}, {100, 100, 1}, {-1000, 0, 1}})
+    for (const TextPosition& place : {TextPosition{-8, -5, 2}, {7, 7, 3}, {100, 100, 1}, {-1000, 0, 1}})
         draw_text(image, "FLIP 0.5\xff", place, {1, 2, 3});
     EXPECT_EQ(image.bytes.size(), 300u);
 }

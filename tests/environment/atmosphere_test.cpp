@@ -197,7 +197,7 @@ TEST(March, StepsActAsLongAsTheirClosedForm)
     for (double depth = 1e-7; depth < 20.0; depth *= 1.7) {
         const Spectrum extinction = Spectrum::all(0.04f);
         const float length = static_cast<float>(depth / 0.04);
-        const float acts = effective_length(extinction, left_after(length * extinction), length)[3];
+        const float acts = effective_length(extinction, transmitted(length * extinction), length)[3];
         EXPECT_NEAR(static_cast<double>(acts) * 0.04 / -std::expm1(-depth), 1.0, 1e-4) << depth;
     }
 }

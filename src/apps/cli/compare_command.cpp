@@ -10,7 +10,7 @@
 #include "compare/difference.h"
 #include "compare/flip.h"
 #include "compare/heat_map.h"
-#include "compare/picture.h"
+#include "compare/image_pair.h"
 #include "image/files/image_io.h"
 
 #include <nlohmann/json.hpp>
@@ -42,9 +42,9 @@ void check_heat_file(const std::string& path)
     check_can_write(path);
 }
 
-compare::Pictures prepare(const CompareArguments& arguments, Warnings& warnings)
+compare::ImagePair prepare(const CompareArguments& arguments, Warnings& warnings)
 {
-    compare::Pictures pictures = compare::read_pictures(arguments.picture, arguments.reference, warnings);
+    compare::ImagePair pictures = compare::read_image_pair(arguments.picture, arguments.reference, warnings);
     if (arguments.exposure && pictures.kind == compare::Kind::srgb)
         throw Error(Failure::usage, "--exposure: only for linear light, .exr or .hdr");
     for (image::RadianceImage* picture : {&pictures.picture, &pictures.reference}) {
@@ -57,7 +57,7 @@ compare::Pictures prepare(const CompareArguments& arguments, Warnings& warnings)
 }
 
 // What counts as full signal: the largest code; for light where it was cut, else the reference's brightest.
-double peak_of(const CompareArguments& arguments, const compare::Pictures& pictures)
+double peak_of(const CompareArguments& arguments, const compare::ImagePair& pictures)
 {
     if (pictures.kind == compare::Kind::srgb)
         return 1.0;
@@ -65,7 +65,7 @@ double peak_of(const CompareArguments& arguments, const compare::Pictures& pictu
                            : compare::largest_value(pictures.reference);
 }
 
-Findings find(const CompareArguments& arguments, const compare::Pictures& pictures, Console& console)
+Findings find(const CompareArguments& arguments, const compare::ImagePair& pictures, Console& console)
 {
     const compare::Pair pair{pictures.picture, pictures.reference};
     const compare::FlipSettings settings{arguments.pixels_per_degree,
@@ -84,7 +84,7 @@ Findings find(const CompareArguments& arguments, const compare::Pictures& pictur
     return findings;
 }
 
-image::CodeImage draw_heat(Heat heat, const compare::Pictures& pictures, const Findings& findings)
+image::CodeImage draw_heat(Heat heat, const compare::ImagePair& pictures, const Findings& findings)
 {
     const compare::Pair pair{pictures.picture, pictures.reference};
     if (heat == Heat::relative) {
@@ -105,7 +105,7 @@ Json finite(double value)
     return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-Json describe(const compare::Pictures& pictures, const Findings& findings)
+Json describe(const compare::ImagePair& pictures, const Findings& findings)
 {
     Json json = {{"rmse", finite(findings.difference.rmse)},
                  {"relative_rmse", finite(findings.difference.relative_rmse)},
@@ -145,7 +145,7 @@ void run(const CompareArguments& arguments)
     Console console(arguments.common.verbosity);
     Stopwatch watch;
     Warnings warnings;
-    const compare::Pictures pictures = prepare(arguments, warnings);
+    const compare::ImagePair pictures = prepare(arguments, warnings);
     console.warn_of_input(warnings, arguments.common);
     watch.lap("read");
     const Findings findings = find(arguments, pictures, console);

@@ -7,7 +7,7 @@
 #include "compare/difference.h"
 #include "compare/flip.h"
 #include "compare/heat_map.h"
-#include "compare/picture.h"
+#include "compare/image_pair.h"
 #include "draw/cpu/cpu_renderer.h"
 #include "draw/line_renderer.h"
 #include "image/files/image_io.h"

@@ -5,7 +5,7 @@
 #include "compare/color_map.h"
 #include "compare/difference.h"
 #include "compare/flip.h"
-#include "compare/picture.h"
+#include "compare/image_pair.h"
 
 #include <utility>
 

@@ -32,7 +32,7 @@ PrefilterLobe lobe_of(const BakeOptions& options, double roughness)
     return options.lobe == BakeLobe::ggx ? ggx_lobe(alpha) : phong_lobe(in_double::phong_exponent(alpha));
 }
 
-// The panorama itself, as sharp as the faces: the mean of bilinear lookups over each texel.
+// Fills level 0 with the panorama, not blurred: each texel is the mean of bilinear lookups over its area.
 void fill_sharp(const Panorama& panorama, image::CubeMap& cube)
 {
     const CubeChain chain = resampled(panorama, std::countr_zero(static_cast<unsigned>(cube.size)));
@@ -46,7 +46,7 @@ void fill_sharp(const Panorama& panorama, image::CubeMap& cube)
     });
 }
 
-// A panorama that is large enough, without a copy if it was before.
+// A panorama of at least a given size; it is copied only if it must be enlarged.
 struct Enlarged {
     const Panorama& given;
     Panorama copy;
@@ -59,7 +59,7 @@ struct Enlarged {
     {
     }
 
-    // What a check has to compare with.
+    // How a check has to interpret the texels of the panorama as given.
     TexelMeaning meaning() const { return copy.width > 0 ? TexelMeaning::knots : TexelMeaning::points; }
 };
 
@@ -67,12 +67,12 @@ void check(const BakeOptions& options)
 {
     if (options.size < 1 || options.size > 4096 || !std::has_single_bit(static_cast<unsigned>(options.size)))
         throw Error(Failure::usage,
-                    text("faces of ", options.size, " texels: a power of two up to 4096 is possible"));
+                    text("a face size of ", options.size, " texels is not a power of two from 1 to 4096"));
     if (!(options.error >= 0.0005 && options.error <= 0.2))
-        throw Error(Failure::usage, text("an error of ", options.error, ": 0.0005 to 0.2 is possible"));
+        throw Error(Failure::usage, text("an error of ", options.error, " is not from 0.0005 to 0.2"));
 }
 
-// Of level after level what an error asks for, until a check finds it there.
+// Fills the levels of roughness above 0. Levels whose measured error is too large are filled again, more finely.
 void fill_rough_levels(const Enlarged& large, const BakeOptions& options, BakedSpecular& baked,
                        const std::function<void(double)>& report, const FillFaces& fill)
 {
@@ -92,7 +92,7 @@ void fill_rough_levels(const Enlarged& large, const BakeOptions& options, BakedS
         for (const CheckedLevel& level : left)
             faces.push_back({baked.cube, level.level, Prefilter(tree, level.lobe, fineness)});
         fill(faces, [&](double share) {
-            done = std::max(done, share); // a further round is short
+            done = std::max(done, share); // further rounds start at 0 again, and are short
             if (report)
                 report(done);
         });
@@ -124,7 +124,8 @@ BakedSpecular bake_specular(const Panorama& panorama, const BakeOptions& options
 image::CubeMap bake_irradiance(const Panorama& panorama, int size, const FillFaces& fill)
 {
     if (size < 1 || size > 4096)
-        throw Error(Failure::usage, text("irradiance faces of ", size, " texels: 1 to 4096 are possible"));
+        throw Error(Failure::usage,
+                    text("an irradiance face size of ", size, " texels is not from 1 to 4096"));
     const Enlarged large(panorama, 64, 32);
     image::CubeMap cube = image::make_cube_map(size, 1);
     const LightTree tree(large.panorama, irradiance_extent);

@@ -12,7 +12,7 @@
 
 namespace lambent::environment {
 
-/// What a level of the specular cube is averaged with, about the mirrored direction R = N = V.
+/// The lobe over which a level of the specular cube averages, about the mirrored direction R = N = V.
 enum class BakeLobe {
     ggx,   ///< D(h) N.L over its integral, h half way between N and L
     phong, ///< the report's lobe, (R.L)^n over its integral, n = phong_exponent(alpha)
@@ -20,8 +20,8 @@ enum class BakeLobe {
 
 /// Perceptual roughness of level l of n, t = l / (n - 1).
 enum class RoughnessMapping {
-    linear, ///< t: texels and lobes grow together over the middle of the range
-    cmgen,  ///< 1 - sqrt(1 - t), Filament's
+    linear, ///< t: texel and lobe sizes grow together over the middle of the range
+    cmgen,  ///< 1 - sqrt(1 - t), as Filament's cmgen
 };
 
 struct BakeOptions {
@@ -33,8 +33,8 @@ struct BakeOptions {
 
 struct BakedLevel {
     double perceptual_roughness = 0.0;
-    /// Relative RMSE found, at random texels, against the sum over all texels in double; of a panorama below 1024x512, against
-    /// that over the panorama as given, read linearly between its texels.
+    /// Relative RMSE measured at random texels, against the sum over all of the panorama's texels in double; for a
+    /// panorama below 1024x512 against the sum over the panorama interpolated linearly between its texels.
     double error = 0.0;
 };
 
@@ -44,7 +44,7 @@ struct BakedSpecular {
 };
 
 /// Throws Error(usage) for options out of range, and what `fill` throws. `report` is called with the share done, by one
-/// thread at a time. Who else than the processors fills the levels is checked by them all the same.
+/// thread at a time. Levels that `fill` computes on another device are still checked on the CPU.
 BakedSpecular bake_specular(const Panorama& panorama, const BakeOptions& options,
                             const std::function<void(double)>& report = {},
                             const FillFaces& fill = prefilter_faces);

@@ -10,7 +10,7 @@
 namespace lambent::environment {
 namespace {
 
-constexpr int checks_per_part = 3; // at random texels, and as many at those of most light
+constexpr int checks_per_part = 3; // at random texels, and as many near the brightest
 
 struct Check {
     int face, x, y;
@@ -33,7 +33,7 @@ Check brightest(const image::CubeMap& cube, int level)
     return at;
 }
 
-// By turns a random texel and one near the brightest.
+// Alternates between a random texel and one near the brightest.
 std::vector<Check> choose_checks(const image::CubeMap& cube, int level, std::mt19937& random)
 {
     const int size = cube.face_size(level);
@@ -48,7 +48,7 @@ std::vector<Check> choose_checks(const image::CubeMap& cube, int level, std::mt1
     return checks;
 }
 
-// Of the checks from `first` on, every second one.
+// The relative RMSE over every second check from `first` on.
 double relative_error(const std::vector<TexelSum>& sums, const std::vector<const float*>& found,
                       std::size_t first)
 {
@@ -66,10 +66,10 @@ double relative_error(const std::vector<TexelSum>& sums, const std::vector<const
 
 } // namespace
 
-Direction texel_direction(const TexelPlace& place)
+Direction texel_direction(const CubeTexel& texel)
 {
-    return cube_direction(place.face, (2.0 * place.x + 1.0) / place.size - 1.0,
-                          (2.0 * place.y + 1.0) / place.size - 1.0);
+    return cube_direction(texel.face, (2.0 * texel.x + 1.0) / texel.size - 1.0,
+                          (2.0 * texel.y + 1.0) / texel.size - 1.0);
 }
 
 std::vector<double> check_levels(const Panorama& panorama, TexelMeaning meaning, const image::CubeMap& cube,

@@ -1,4 +1,4 @@
-// What a baked cube's levels are worth: some texels against the sum over all of the panorama, in double.
+// Measures the error of a baked cube's levels: some texels against the sum over the whole panorama, in double.
 #pragma once
 
 #include "environment/chain/cube_faces.h"
@@ -15,17 +15,18 @@ struct CheckedLevel {
     PrefilterLobe lobe;
 };
 
-/// What a panorama's texels are: points of light, or what it is read linearly between.
+/// How a panorama's texels are interpreted: as points of light, or as knots of linear interpolation.
 enum class TexelMeaning { points, knots };
 
-/// The relative RMSE of each level given, at random texels and at random ones near its brightest: whichever is larger.
+/// The relative RMSE of each given level: the larger of that at random texels and that at random texels near its
+/// brightest.
 std::vector<double> check_levels(const Panorama& panorama, TexelMeaning meaning, const image::CubeMap& cube,
                                  const std::vector<CheckedLevel>& levels);
 
-/// The direction of a texel's middle.
-struct TexelPlace {
+/// A texel of a face of `size` texels a side, and the direction of its centre.
+struct CubeTexel {
     int face, x, y, size;
 };
-Direction texel_direction(const TexelPlace& place);
+Direction texel_direction(const CubeTexel& texel);
 
 } // namespace lambent::environment

@@ -18,8 +18,8 @@
 namespace lambent::environment {
 namespace {
 
-// Cells of at most this many columns and rows, where the time is spent. At 64x32 irradiance is off by less than 1e-3, at
-// most h^2 / 12 for cells h high (tests/environment).
+// Most columns and rows of cells; time is proportional to their product. At 64x32 the error of irradiance is below
+// 1e-3, at most h^2 / 12 for cells h radians high (tests/environment).
 constexpr int most_cell_columns = 64, most_cell_rows = 32;
 
 struct Trigonometry {
@@ -37,7 +37,7 @@ Trigonometry azimuths(int width)
     return t;
 }
 
-// Adds the texels [first, last) of row y to a cell: light times direction.
+// Adds the texels of row y in columns [first, second) to a cell: light times direction.
 void add_to_cell(const Panorama& p, const Trigonometry& t, int y, std::pair<int, int> columns,
                  double (*cell)[3])
 {
@@ -90,7 +90,7 @@ LightCells gather_cells(const Panorama& p)
     return cells;
 }
 
-// No normal gets more than all light facing it.
+// A power of two by which irradiance fits into halfs: no normal receives more than if it faced all light.
 float irradiance_scale(const LightCells& cells)
 {
     double most = 1e-30;
@@ -120,7 +120,7 @@ IrradianceMap make_irradiance_map(const Panorama& panorama, int face_size)
 namespace {
 
 constexpr std::size_t orders =
-    5; // 1, cos, sin, cos 2, sin 2 of the azimuth: all that harmonics of bands 0 to 2 have
+    5; // 1, cos, sin, cos 2, sin 2 of the azimuth: those of the harmonics of bands 0 to 2
 
 using Orders = std::array<double, orders>;
 
@@ -142,7 +142,7 @@ AzimuthOrders orders_of_columns(int width)
     return columns;
 }
 
-// The harmonics along a row as sums of the orders: by their values at five azimuths.
+// The coefficients of the harmonics along a row as sums of the orders, from their values at five azimuths.
 std::array<Orders, 9> row_harmonics(double up, double ring)
 {
     std::array<Orders, 9> coefficients{};
@@ -163,7 +163,7 @@ std::array<Orders, 9> row_harmonics(double up, double ring)
 HarmonicLight project_to_harmonics(const Panorama& panorama)
 {
     constexpr int least_width = 256,
-                  least_height = 128; // a texel taken for a point is off by the square of its size
+                  least_height = 128; // treating a texel as a point has an error of the square of its size
     if (panorama.width < least_width || panorama.height < least_height)
         return project_to_harmonics(at_least(panorama, least_width, least_height));
     const AzimuthOrders columns = orders_of_columns(panorama.width);

@@ -16,12 +16,12 @@ using IrradianceMap = CubeChain;
 /// irradiance by harmonic_irradiance().
 using HarmonicLight = std::array<std::array<double, 9>, 3>;
 
-/// By the sum over all texels. The panorama is gathered into cells that keep their light times direction, so a cell
-/// on one side of the horizon is exact, one across it is wrong by the square of its size.
-/// Faces of `face_size` (a power of two) texels.
+/// Sums over all texels, gathered into cells that keep their light times direction: a cell on one side of the normal's
+/// horizon is exact, one across it has an error of the square of its size. Faces have `face_size` (a power of two)
+/// texels a side.
 IrradianceMap make_irradiance_map(const Panorama& panorama, int face_size = 32);
 
-/// By the sum over all texels, in double; panoramas below 256x128 are enlarged to that before.
+/// Sums over all texels, in double; panoramas below 256x128 are first enlarged to that.
 HarmonicLight project_to_harmonics(const Panorama& panorama);
 
 } // namespace lambent::environment

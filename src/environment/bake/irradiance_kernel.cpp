@@ -24,7 +24,7 @@ HWY_FLATTEN std::array<std::array<double, 5>, 3> row_moments(const Panorama& pan
     const auto* texels = reinterpret_cast<const int32_t*>(panorama.texels.data()) +
                          static_cast<size_t>(y) * static_cast<size_t>(panorama.width);
     vec3 sums[5] = {vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0)};
-    alignas(64) int32_t last[max_lanes] = {}; // no light in the lanes behind the row
+    alignas(64) int32_t last[max_lanes] = {}; // no light in the lanes beyond the row's end
     for (int x = 0; x < panorama.width; x += static_cast<int>(lane_count)) {
         const size_t count = lanes_left(x, panorama.width);
         if (count < lane_count)

@@ -1,4 +1,4 @@
-// The loops of irradiance.cpp over texels and cells, on SIMD lanes, one row a call.
+// The loops of irradiance.cpp over texels and cells, on SIMD lanes, one row per call.
 #pragma once
 
 #include "environment/chain/cube_chain.h"
@@ -12,11 +12,11 @@ namespace lambent::environment {
 
 /// Per column of a panorama: cosines and sines of the azimuth and of twice that.
 struct AzimuthOrders {
-    static constexpr std::size_t padding = 16; ///< more floats than columns: whole vectors are read
+    static constexpr std::size_t padding = 16; ///< floats beyond the last column, as whole vectors are read
     std::vector<float> rows[4];                ///< cos, sin, cos 2, sin 2
 };
 
-/// A row's radiance times 1 and times each of these, summed: [channel][order].
+/// Sums along a row of radiance times 1 and times each of `orders`: [channel][order].
 std::array<std::array<double, 5>, 3> row_moments(const Panorama& panorama, int y,
                                                  const AzimuthOrders& orders);
 

@@ -8,15 +8,15 @@
 
 namespace lambent::environment {
 
-/// Points of light, for the loop of sum_texels: the arrays may be read 8 beyond the last.
+/// Points of light, for the loop of sum_texels. The arrays have 8 values more than points, as whole vectors are read.
 struct LightPoints {
-    std::vector<double> x, y, z; ///< direction, about of unit length
+    std::vector<double> x, y, z; ///< direction, of about unit length
     std::vector<double> r, g, b; ///< radiance times solid angle
 
     void resize(std::size_t count);
 };
 
-/// Adds the points [begin, end).
+/// Adds the light of points [begin, end), weighted by the sum's lobe.
 struct LightRange {
     std::size_t begin, end;
 };

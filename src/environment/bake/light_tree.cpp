@@ -13,7 +13,7 @@ namespace {
 
 constexpr int most_columns = 2048, least_columns = 32;
 
-// The mean direction of parts, and how they spread.
+// The weighted mean direction of a cell's parts, and their angular variance.
 struct Moment {
     double sum[3] = {}, weight = 0.0, variance = 0.0;
 
@@ -30,7 +30,7 @@ struct Moment {
     {
         const double square = sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2];
         const double over = 1.0 / std::sqrt(square);
-        // Unit vectors have a mean that falls short of 1 by their variance.
+        // The mean of unit vectors is shorter than 1 by their variance.
         const double spread = std::max(0.5 * (1.0 - square / (weight * weight)), 0.0);
         LightCell cell{};
         cell.x = static_cast<float>(over * sum[0]);
@@ -41,7 +41,7 @@ struct Moment {
     }
 };
 
-// What a cell is made of: sums over its parts.
+// Sums over the parts of a cell.
 struct Sums {
     double rgb[3] = {};
     Moment light, area;
@@ -55,11 +55,11 @@ struct Sums {
     }
 };
 
-// How far apart, in parts of a cell's extent, the middles of its light and of its area may be to count as one, and in
-// parts of its square how different the variances.
+// Tolerances within which a cell's light and area share one centre and variance: the distance of the centres over the
+// cell's extent, and the difference of the variances over its square.
 constexpr float same_middle = 0.06f, same_variance = 0.03f;
 
-// The cell of these sums; in `area`, and true, if its area needs one of its own.
+// Makes the cell of these sums; returns true if its area needs a cell of its own, which is `area`.
 bool split(const Sums& sums, float extent, LightCell& cell, LightCell& area)
 {
     area = sums.area.cell();
@@ -132,7 +132,7 @@ LightCellLevel LightTree::coarser() const
     return level;
 }
 
-// Of all texels whose middle is in each cell.
+// A level of cells that sum all texels whose centres they hold.
 LightCellLevel LightTree::gathered(int width, int height) const
 {
     LightCellLevel level = make_level(width, height);

@@ -1,5 +1,5 @@
-// A panorama's light in cells, coarser from level to level: far from a direction, or for a wide lobe, one cell stands for
-// many texels. [Barnes and Hut 1986, "A hierarchical O(N log N) force-calculation algorithm"]
+// A panorama's light in cells, coarser from level to level: far from a direction, or for a wide lobe, one cell stands
+// for many texels. [Barnes and Hut 1986, "A hierarchical O(N log N) force-calculation algorithm"]
 #pragma once
 
 #include "environment/panorama/panorama.h"
@@ -11,10 +11,10 @@
 namespace lambent::environment {
 
 struct LightCell {
-    float x, y, z;  ///< direction of the middle of its light, unit length
+    float x, y, z;  ///< direction of the centroid of its light, unit length
     float variance; ///< of its light about that direction, angular, per axis, square radians
     float r, g, b;  ///< its light: radiance times solid angle
-    float area;     ///< solid angle with the same middle; 0 if that of the light is elsewhere
+    float area;     ///< solid angle; 0 if its centroid is not that of the light: then another cell has it
 };
 
 /// Cells of one size, row by row as the panorama.
@@ -23,9 +23,9 @@ struct LightCellLevel {
     std::vector<LightCell> cells; ///< none at a level whose cells are the panorama's texels
     std::vector<float> extent;    ///< [row]: the longer side of its cells, radians
 
-    /// [row]: for its cells of no area, in order, one with that area and no light.
+    /// [row]: for each of its cells of area 0, in order, a cell with that area and no light.
     std::vector<std::vector<LightCell>> areas;
-    std::vector<std::uint16_t> area_index; ///< [cell]
+    std::vector<std::uint16_t> area_index; ///< [cell]: index into its row of `areas`
 
     std::size_t index(int column, int row) const
     {
@@ -37,8 +37,8 @@ struct LightCellLevel {
 /// Levels from the finest on; each has a quarter of the cells of the one before, the last at most 32 columns.
 class LightTree {
 public:
-    /// Its finest cells are the texels where those have to be that small: where `extent` radians are less than two
-    /// texels. At most 2048 columns are kept. The panorama has to outlive the tree.
+    /// `extent` is the size in radians that the finest cells need. They are the texels themselves if it is less than
+    /// two texels, and have at most 2048 columns. The panorama must outlive the tree.
     LightTree(const Panorama& panorama, double extent);
 
     const std::vector<LightCellLevel>& levels() const { return levels_; }
@@ -49,7 +49,7 @@ public:
         return level.cells.empty() ? texel(column, row) : level.cells[level.index(column, row)];
     }
 
-    /// The area of a cell that has none of its own.
+    /// The cell with the area of a cell whose own is 0.
     const LightCell& area(std::size_t depth, int column, int row) const
     {
         const LightCellLevel& level = levels_[depth];

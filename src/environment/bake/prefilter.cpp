@@ -7,23 +7,23 @@
 namespace lambent::environment {
 namespace {
 
-// The cosine's kink at the horizon has no curvature to be corrected by: cells on it are smaller, the more so the more a
-// lobe has there.
+// Extent, times the lobe's alpha, of cells at the horizon: the cosine's kink there cannot be corrected by a curvature,
+// so cells must be small, the more so the wider the lobe.
 constexpr double horizon_extent = 0.05;
 
-// In a lobe's middle cells are finer than this part of its alpha, whatever their distance.
+// At a lobe's centre, where the distance is no bound, the extent of cells is this share of its alpha over the fineness.
 constexpr double core = 0.65;
 
-// A tree's finest cells, for the bright ones.
+// Extent of a tree's finest cells as such a share, which bright cells need.
 constexpr double finest = 0.4;
 
-// Cells with more than this share of all light are finer still, by so many times.
+// Cells with more than this share of all light must be finer by this factor.
 constexpr double much_share = 0.002, much_light_times = 4.0;
 
-// Cells with more than so many times the mean radiance are summed apart.
+// Cells of more than this multiple of the mean radiance are summed separately.
 constexpr double bright_times = 2.0;
 
-// Of all channels: what counts where cells are compared.
+// The sum of the channels, by which cells are compared.
 float light_of(const LightCell& cell)
 {
     return cell.r + cell.g + cell.b;
@@ -68,9 +68,9 @@ double finest_extent(const PrefilterLobe& lobe, double fineness)
     return finest * lobe.alpha / fineness;
 }
 
-// All directions of a patch or a tile.
+// A cone that encloses the directions of a patch or of a part of it.
 struct Prefilter::Cap {
-    float x = 0.0f, y = 0.0f, z = 0.0f; // middle
+    float x = 0.0f, y = 0.0f, z = 0.0f; // axis
     float radius = 0.0f;                // as a chord
 
     Cap(const PrefilterPatch& patch, std::size_t first, std::size_t count)
@@ -91,10 +91,10 @@ struct Prefilter::Cap {
     }
 };
 
-// Finds cells that stand for all light which a cap sees.
+// Traverses the tree for cells that together represent all light a cap receives.
 class Prefilter::Walk {
 public:
-    Walk(const Prefilter& prefilter, const Cap& cap, Scratch& scratch, std::vector<Scratch::Place>* left)
+    Walk(const Prefilter& prefilter, const Cap& cap, Scratch& scratch, std::vector<Scratch::CellIndex>* left)
         : prefilter_(prefilter), cap_(cap), scratch_(scratch), left_(left)
     {
     }
@@ -108,7 +108,7 @@ private:
     const Prefilter& prefilter_;
     const Cap& cap_;
     Scratch& scratch_;
-    std::vector<Scratch::Place>* left_; // null: nothing may be left
+    std::vector<Scratch::CellIndex>* left_; // cells left to the parts of the cap; null: none may be left
 };
 
 void Prefilter::Walk::take(const LightCell& cell, int depth, int column, int row)
@@ -137,7 +137,7 @@ void Prefilter::Walk::visit(int depth, int column, int row)
         take(cell, depth, column, row);
         return;
     }
-    // Fine enough for a part of the cap, perhaps: each tile looks for itself.
+    // The cell may be fine enough for some parts of the cap: each part decides for itself.
     const float sure = bounds.reach - cap_.radius;
     const bool all_at_horizon =
         at_horizon && sure > 0.0f && beyond(square, horizon - sure) && !beyond(square, horizon + sure);
@@ -181,7 +181,7 @@ void Prefilter::fill(PrefilterPatch& patch, Scratch& scratch) const
     for (PrefilterPatch::Sums* sums : {&patch.dim, &patch.bright})
         for (float* column : {sums->r, sums->g, sums->b, sums->weight})
             std::fill_n(column, PrefilterPatch::tile * patch.tiles, 0.0f);
-    std::vector<Scratch::Place>& all = scratch.left[0];
+    std::vector<Scratch::CellIndex>& all = scratch.left[0];
     all.clear();
     const int top = static_cast<int>(tree_.levels().size()) - 1;
     for (int row = 0; row < tree_.levels().back().height; ++row)
@@ -191,19 +191,19 @@ void Prefilter::fill(PrefilterPatch& patch, Scratch& scratch) const
     finish_texels(patch, lobe_.integral());
 }
 
-// What is fine enough for all of a part is added to all of it at once; the rest is looked at by its quarters.
+// Cells fine enough for all of a part are added to all of it at once; the others are left to its quarters.
 void Prefilter::fill(PrefilterPatch& patch, const Part& part, Scratch& scratch) const
 {
     constexpr std::size_t tile = PrefilterPatch::tile;
     const bool whole = part.tiles == 1;
     const Cap cap(patch, tile * part.first, tile * part.tiles);
-    std::vector<Scratch::Place>& left = scratch.left[part.depth + 1];
+    std::vector<Scratch::CellIndex>& left = scratch.left[part.depth + 1];
     left.clear();
     scratch.dim.clear();
     scratch.bright.clear();
     Walk walk(*this, cap, scratch, whole ? nullptr : &left);
-    for (const Scratch::Place& place : scratch.left[part.depth])
-        walk.visit(place.depth, place.column, place.row);
+    for (const Scratch::CellIndex& index : scratch.left[part.depth])
+        walk.visit(index.depth, index.column, index.row);
     add_cells(scratch.dim, lobe_, {patch, patch.dim, tile * part.first, tile * part.tiles});
     add_cells(scratch.bright, lobe_, {patch, patch.bright, tile * part.first, tile * part.tiles});
     if (whole || left.empty())

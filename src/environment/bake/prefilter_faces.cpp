@@ -14,13 +14,13 @@ namespace {
 
 constexpr int tile_side = 4, patch_side = 32;
 
-// Up to patch_side texels wide and high.
+// A part of a face, up to patch_side texels wide and high, from its first texel on.
 struct Work {
     const PrefilteredFaces* faces;
     int face, x, y;
 };
 
-// Every second bit.
+// The number of every second bit: a coordinate of a Morton code.
 int every_second(std::size_t bits)
 {
     int value = 0;
@@ -29,8 +29,8 @@ int every_second(std::size_t bits)
     return value;
 }
 
-// Calls visit(x, y, index in the patch) for each texel of it, tile by tile; returns how many tiles. Tiles are in the
-// order of a quadtree, so that those one after the other are near.
+// Calls visit(x, y, index in the patch) for each texel of it, tile by tile; returns the number of tiles. Tiles are in
+// Morton order, so that consecutive ones are close together.
 template <class Visit>
 std::size_t for_each_texel(const Work& work, int size, const Visit& visit)
 {
@@ -66,7 +66,7 @@ struct Worker {
         image::CubeMap& cube = work.faces->cube;
         const int level = work.faces->level, size = cube.face_size(level);
         const auto direction = [&](int x, int y) { return texel_of(*work.faces, work.face, x, y); };
-        // What no texel sets repeats one, as a patch wants it.
+        // Directions that no texel sets repeat the first, as PrefilterPatch requires.
         const Direction first = direction(work.x, work.y);
         std::fill(std::begin(patch.x), std::end(patch.x), static_cast<float>(first.x));
         std::fill(std::begin(patch.y), std::end(patch.y), static_cast<float>(first.y));

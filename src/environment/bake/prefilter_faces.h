@@ -1,4 +1,4 @@
-// Whole faces of cubes, each texel the mean over a lobe about it.
+// Prefilters whole faces of cubes: each texel is the mean of light over a lobe about its direction.
 #pragma once
 
 #include "environment/bake/prefilter.h"
@@ -9,8 +9,8 @@
 
 namespace lambent::environment {
 
-/// A level of a cube, and what fills it. Faces may have a border of texels whose directions lie beyond their edges: it is
-/// a part of their size.
+/// A level of a cube, and the prefilter for it. Faces may have a border of texels whose directions lie beyond their
+/// edges; the border is part of their size.
 struct PrefilteredFaces {
     image::CubeMap& cube;
     int level;
@@ -18,15 +18,15 @@ struct PrefilteredFaces {
     int border = 0;
 };
 
-/// Fills all of them. `report` is called with the share done, by one thread at a time.
+/// Fills all given faces. `report` is called with the share done, by one thread at a time.
 using FillFaces = std::function<void(const std::vector<PrefilteredFaces>& faces,
                                      const std::function<void(double)>& report)>;
 
-/// On all processors.
+/// Fills them on the CPU, in parallel.
 void prefilter_faces(const std::vector<PrefilteredFaces>& faces,
                      const std::function<void(double)>& report = {});
 
-/// The texels of a level's faces by tiles of 8x8, each with as many directions; a tile that is not full repeats its first.
+/// The texels of a level's faces in tiles of 8x8, with their directions; a tile that is not full repeats its first.
 struct FaceTile {
     int face, x, y; ///< of its first texel
     float directions[64][3];

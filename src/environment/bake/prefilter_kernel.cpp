@@ -27,7 +27,7 @@ struct PhongWeight {
     HWY_INLINE LobeWeight at(Real c, Real versine) const { return lobe_weight_phong(c, versine, exponent); }
 };
 
-// Lanes of texels, and what arrives there.
+// Lanes of texels, and the light that arrives at them.
 struct Texels {
     Real x, y, z, r = 0.0, g = 0.0, b = 0.0, all = 0.0;
 
@@ -64,7 +64,7 @@ HWY_INLINE void add(std::span<const LightCell> cells, const Shape& shape, const 
 {
     size_t at = texels.first;
     const size_t end = texels.first + texels.count;
-    // Two at once, so that they share the loads of the cells.
+    // Two vectors of texels at once share the loads of the cells.
     for (; at + 2 * lane_count <= end; at += 2 * lane_count) {
         Texels first(texels.patch, at), second(texels.patch, at + lane_count);
         for (const LightCell& cell : cells) {

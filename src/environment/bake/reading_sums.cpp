@@ -1,4 +1,4 @@
-// Sums over a panorama as it is read, linearly between its texels: for those so small that their texels are no points.
+// Sums over a panorama interpolated linearly between its texels, for panoramas too small to treat texels as points.
 #include "environment/bake/reading_sums.h"
 
 #include "environment/bake/light_points.h"
@@ -12,18 +12,18 @@
 namespace lambent::environment {
 namespace {
 
-// Points to a turn, at least.
+// Least number of points around a row.
 constexpr int least_points = 1536;
 
-// A row of points: where, and the solid angle of each that is the light of the row of texels above and of that below, which are
-// from -1 to the height: those beyond the poles.
+// A row of points: its polar angle, the rows of texels above and below it, and the solid angles of each point that have
+// the light of either. Rows -1 and the height are those beyond the poles.
 struct PointRow {
     double angle;
     int above, below;
     double from_above, from_below;
 };
 
-// Points in the middle of equal parts between each two rows, weighted so that each row has the solid angle of its texels.
+// Points at the centres of equal parts between each two rows, weighted so that each row has its texels' solid angle.
 std::vector<PointRow> rows_of_points(const Panorama& panorama, int parts)
 {
     const int last = panorama.height - 1;
@@ -36,7 +36,7 @@ std::vector<PointRow> rows_of_points(const Panorama& panorama, int parts)
         const double end = below <= last ? angles[static_cast<std::size_t>(below)] : std::numbers::pi;
         for (int i = 0; i < parts; ++i) {
             const double part = (i + 0.5) / parts, angle = start + part * (end - start);
-            // Next to a pole only half of what is between a row and the one beyond.
+            // Next to a pole lies only half of the interval between a row and the one beyond the pole.
             const double share = below == 0 ? 0.5 + 0.5 * part : below > last ? 0.5 * part : part;
             const double area = std::sin(angle) * (end - start);
             rows.push_back({angle, below - 1, below, (1.0 - share) * area, share * area});

@@ -13,7 +13,7 @@ namespace {
 
 #include "wide/wide.h"
 
-// Both parts of the albedo for lanes of NV: by visible normals, a quadrature over what sample_visible_ggx draws.
+// Both parts of the albedo for lanes of NV, by quadrature over the visible normals of sample_visible_ggx.
 vec2 albedo(Real NV, float alpha, const SplitSumPoints& points)
 {
     const vec3 view(sqrt(max((1.0 - NV) * (1.0 + NV), 0.0)), 0.0, NV);

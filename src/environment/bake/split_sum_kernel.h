@@ -6,7 +6,8 @@
 
 namespace lambent::environment {
 
-/// Where the integral over visible normals is evaluated. Heights are shares of what can reflect upwards.
+/// Points at which the integral over visible normals is evaluated. Heights are shares of the range that can reflect
+/// upwards.
 struct SplitSumPoints {
     struct Height {
         float height, weight; ///< the weights of all points add up to 1
@@ -18,7 +19,7 @@ struct SplitSumPoints {
     std::vector<Azimuth> azimuths;
 };
 
-/// One row of the table: three floats a texel.
+/// One row of the table: three floats per texel.
 struct SplitSumRow {
     const float* cosines;
     float* texels;

@@ -10,8 +10,8 @@
 
 namespace lambent::environment {
 
-/// Fills each sum's `rgb` with what `add(row, work, sums)` adds for all rows, over the integral of its lobe. `Work` is what
-/// one thread keeps.
+/// Sets each sum's `rgb` to the total that `add(row, work, sums)` adds over all rows, divided by the integral of its
+/// lobe. `Work` holds the buffers of one thread.
 template <class Work, class Add>
 void sum_rows(int rows, const Add& add, std::span<TexelSum> sums)
 {

@@ -11,14 +11,14 @@
 namespace lambent::environment {
 namespace {
 
-// Panoramas finer than so many columns are summed by blocks, each at the middle of its light: but where a lobe is narrow,
-// texel by texel. What blocks leave out is of second order: less than 0.1 % for lobes of this alpha.
+// Panoramas of more than this many columns are summed in blocks, each at the centroid of its light, except near narrow
+// lobes, texel by texel. The error of blocks is of second order: less than 0.1 % for lobes of this alpha.
 constexpr int most_blocks = 1024;
 constexpr double least_alpha_of_blocks = 0.12;
 constexpr double near_in_alphas = 12.0;
 
 struct Angles {
-    double theta, phi, cosine, sine; // polar angle and azimuth; of the polar angle
+    double theta, phi, cosine, sine; // polar angle and azimuth; cosine and sine of the polar angle
 };
 
 Angles angles_of(const TexelSum& sum)
@@ -42,7 +42,7 @@ public:
 
     int count() const { return (panorama_.height + side_ - 1) / side_; }
 
-    // What one thread keeps.
+    // The buffers of one thread.
     struct Work {
         std::vector<LightPoints> texels; // row by row
         LightPoints blocks;
@@ -98,7 +98,7 @@ private:
             to.x[i] /= weights[i], to.y[i] /= weights[i], to.z[i] /= weights[i];
     }
 
-    // How many blocks to either side of a direction's azimuth are near.
+    // The number of blocks to either side of a direction's azimuth that are near it; 0: none.
     double near_columns(int row, const TexelSum& sum, const Angles& at) const
     {
         if (sum.lobe.alpha >= least_alpha_of_blocks)
@@ -136,7 +136,7 @@ private:
         }
     }
 
-    // Blocks [first, last), or their texels.
+    // Adds blocks [first, last), or their texels.
     void add_part(const Work& work, int first, int last, bool texels, TexelSum& sum) const
     {
         if (first >= last)

@@ -1,4 +1,4 @@
-// Means over lobes summed over all texels in double: what the tree of cells is checked by.
+// Means over lobes by sums over all texels, in double, against which the tree of cells is checked.
 #pragma once
 
 #include "environment/bake/prefilter.h"
@@ -8,7 +8,7 @@
 
 namespace lambent::environment {
 
-/// A direction in which the mean over a lobe is wanted of all texels, one by one, in double: to check the tree by.
+/// A direction, the lobe about it, and the mean of light over that lobe, which sum_texels() sets.
 struct TexelSum {
     double x = 0.0, y = 0.0, z = 0.0; ///< unit length
     PrefilterLobe lobe;

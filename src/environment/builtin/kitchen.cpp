@@ -11,7 +11,7 @@
 #include <numbers>
 #include <span>
 
-// The file's bytes become part of the program; C++20 has no other word for it.
+// Embeds the file's bytes in the program, for which C++20 has no language feature.
 asm(".section .rodata\n"
     ".global lambent_kitchen_begin\n"
     ".global lambent_kitchen_end\n"
@@ -29,7 +29,7 @@ extern const std::uint8_t lambent_kitchen_end[];
 namespace lambent::environment {
 namespace {
 
-// Each texel the mean of four by their solid angle.
+// Half as wide and high: each texel is the mean of four by their solid angle.
 image::RadianceImage halved(const image::RadianceImage& from)
 {
     image::RadianceImage to = image::black_image(from.width / 2, from.height / 2);

@@ -28,7 +28,7 @@ float coverage(float outside, float texel)
 PlacedSoftbox::PlacedSoftbox(const Softbox& box)
     : box_(box), towards_(glm::normalize(box.centre)), distance_(glm::length(box.centre))
 {
-    // Right and up as seen from the origin, upright unless it hangs straight above.
+    // Right and up as seen from the origin, upright unless the softbox hangs straight above.
     const glm::vec3 vertical =
         std::fabs(towards_.y) < 0.99f ? glm::vec3(0.0f, 1.0f, 0.0f) : glm::vec3(0.0f, 0.0f, 1.0f);
     const glm::vec3 right = glm::normalize(glm::cross(towards_, vertical));
@@ -45,11 +45,11 @@ glm::vec3 PlacedSoftbox::over(const glm::vec3& behind, const glm::vec3& directio
     if (cosine < reach_)
         return behind;
     const glm::vec3 p = (distance_ / cosine) * direction;
-    const glm::vec2 place(glm::dot(p, right_), glm::dot(p, up_));
+    const glm::vec2 position(glm::dot(p, right_), glm::dot(p, up_));
     const float width = texel * distance_ / (cosine * cosine);
-    const float from_edge = outside(place, box_.half_size, box_.corner);
+    const float from_edge = outside(position, box_.half_size, box_.corner);
     const float shining = coverage(from_edge, width), covered = coverage(from_edge - box_.frame, width);
-    const glm::vec2 share = place / box_.half_size;
+    const glm::vec2 share = position / box_.half_size;
     const float falloff = box_.edge + (1.0f - box_.edge) * std::exp(-glm::dot(share, share));
     return (1.0f - covered) * behind + (covered - shining) * frame_radiance +
            shining * falloff * box_.radiance;

@@ -1,4 +1,4 @@
-// A photographer's softbox: a rounded rectangle that shines.
+// A photographer's softbox: a rounded rectangle that emits light.
 #pragma once
 
 #include <glm/geometric.hpp>
@@ -18,13 +18,13 @@ struct Softbox {
     float roll = 0.0f;    ///< radians by which it is turned in its plane
 };
 
-/// The softbox, placed: what it takes to look at it from the origin.
+/// A softbox with the frame in which it is seen from the origin.
 class PlacedSoftbox {
 public:
     explicit PlacedSoftbox(const Softbox& box);
 
-    /// Light from a unit direction, where `behind` is that without the softbox. Its edges are soft over an angle of
-    /// `texel` radians.
+    /// Radiance from a unit direction; `behind` is that without the softbox. Edges are soft over an angle of `texel`
+    /// radians.
     glm::vec3 over(const glm::vec3& behind, const glm::vec3& direction, float texel) const;
 
 private:

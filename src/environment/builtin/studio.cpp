@@ -55,9 +55,9 @@ image::RadianceImage make_studio(int width)
     tbb::parallel_for(0, height, [&](int y) {
         float* values = panorama.pixel(0, y);
         for (int x = 0; x < width; ++x) {
-            const in_double::vec3 place =
+            const in_double::vec3 unit =
                 in_double::direction_from_equirectangular({(x + 0.5) / width, (y + 0.5) / height});
-            const glm::vec3 d(place.x, place.y, place.z);
+            const glm::vec3 d(unit.x, unit.y, unit.z);
             glm::vec3 light = room(d);
             for (const PlacedSoftbox& box : boxes)
                 light = box.over(light, d, texel);

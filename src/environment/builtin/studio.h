@@ -5,8 +5,8 @@
 
 namespace lambent::environment {
 
-/// A dark room with softboxes: key light warm and large at the upper left, behind the default camera, strip light and
-/// fill on the right, bank overhead, rim light behind the object.
+/// A dark room with softboxes, `width` texels wide and half as high: key light warm and large at the upper left, behind
+/// the default camera, strip light and fill on the right, bank overhead, rim light behind the object.
 image::RadianceImage make_studio(int width);
 
 } // namespace lambent::environment

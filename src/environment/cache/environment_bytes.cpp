@@ -31,7 +31,7 @@ public:
     }
 };
 
-// Gives zeros, and false at the end, for what is beyond the bytes.
+// Reads values; beyond the end of the bytes they are zero, and good() is false from then on.
 class Reader {
 public:
     explicit Reader(std::span<const std::uint8_t> bytes) : left_(bytes) {}
@@ -77,7 +77,7 @@ void write(const CubeChain& chain, Writer& writer)
     writer.add(std::int32_t{chain.log2_size});
     writer.add(std::int32_t{chain.levels});
     writer.add(chain.scale);
-    // Between the levels are gaps.
+    // Level by level, without the gaps between them.
     for (int level = 0; level < chain.levels; ++level) {
         const int n = chain.face_size(level);
         const std::size_t first = chain.texel(level, 0, -1, -1), end = chain.texel(level, 5, n, n) + 1;

@@ -1,4 +1,4 @@
-// An environment as bytes, for a cache on this machine: not a format for anybody else.
+// An environment as bytes, for a cache on one machine; not an exchange format.
 #pragma once
 
 #include "base/error.h"
@@ -11,7 +11,7 @@
 
 namespace lambent::environment {
 
-/// What making an environment gave: warnings belong to it, for they have to be given again.
+/// A prepared environment and the warnings of preparing it, which are repeated when it comes from the cache.
 struct MadeEnvironment {
     Environment environment;
     Warnings warnings;
@@ -19,7 +19,7 @@ struct MadeEnvironment {
 
 std::vector<std::uint8_t> to_bytes(const MadeEnvironment& made);
 
-/// Nothing if the bytes are not what to_bytes() gave, whole: they carry a checksum.
+/// Returns nothing unless the bytes are a complete result of to_bytes(), by their checksum.
 std::optional<MadeEnvironment> from_bytes(std::span<const std::uint8_t> bytes);
 
 } // namespace lambent::environment

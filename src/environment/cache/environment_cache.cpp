@@ -44,11 +44,11 @@ std::optional<MadeEnvironment> EnvironmentCache::find(const std::string& key) co
         return std::nullopt;
     try {
         std::optional<MadeEnvironment> made = from_bytes(read_file(path, limit_));
-        if (made) // it was used now
+        if (made) // marks the file as used now
             fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
         return made;
     } catch (const std::exception&) {
-        return std::nullopt; // gone meanwhile, or too large for this machine's memory
+        return std::nullopt; // removed meanwhile, or too large for this machine's memory
     }
 }
 
@@ -59,15 +59,15 @@ void EnvironmentCache::keep(const std::string& key, const MadeEnvironment& made)
         if (bytes.size() > limit_ / 2)
             return;
         fs::create_directories(folder_);
-        make_room(bytes.size());
+        evict(bytes.size());
         write_file(path_of(key), bytes);
     } catch (const std::exception&) {
-        return; // a full disk, a folder that may not be written to: then there is no cache
+        return; // a full disk or a folder without write permission: nothing is cached
     }
 }
 
-// Removes the oldest files until there is room. Temporary ones that a killed process left go with their age, too.
-void EnvironmentCache::make_room(std::uint64_t bytes) const
+// Removes the files unused for longest until `bytes` more fit the limit; also temporary files left by a killed process.
+void EnvironmentCache::evict(std::uint64_t bytes) const
 {
     struct Kept {
         fs::file_time_type used;
@@ -104,7 +104,7 @@ std::optional<fs::path> user_cache_folder()
 
 std::string content_key(const fs::path& path)
 {
-    const std::uint64_t size = lambent::file_size(path); // says what is wrong with the file
+    const std::uint64_t size = lambent::file_size(path); // throws a precise error if the file cannot be read
     std::ifstream file(path, std::ios::binary);
     std::vector<char> part(std::size_t{1} << 20);
     XXH3_state_t state;

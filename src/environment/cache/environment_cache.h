@@ -1,4 +1,4 @@
-// Environments that were made before, in a folder of the user's.
+// A cache of prepared environments in a folder of the user.
 #pragma once
 
 #include "environment/cache/environment_bytes.h"
@@ -10,11 +10,11 @@
 
 namespace lambent::environment {
 
-/// Files named by what they are made from. Nothing here fails aloud: what cannot be read is made again, what cannot be
-/// written is not kept. Any number of processes may use one folder; files appear whole, under their name, or not at all.
+/// One file per environment, named by a hash of its key. No member throws: an unreadable file counts as missing, and
+/// one that cannot be written is not kept. Processes may share a folder: files appear complete or not at all.
 class EnvironmentCache {
 public:
-    /// At most `limit` bytes in all: those not used for longest go first.
+    /// Keeps at most `limit` bytes in all; the files unused for longest are removed first.
     EnvironmentCache(std::filesystem::path folder, std::uint64_t limit)
         : folder_(std::move(folder)), limit_(limit)
     {
@@ -25,7 +25,7 @@ public:
 
 private:
     std::filesystem::path path_of(const std::string& key) const;
-    void make_room(std::uint64_t bytes) const;
+    void evict(std::uint64_t bytes) const;
 
     std::filesystem::path folder_;
     std::uint64_t limit_;
@@ -34,10 +34,10 @@ private:
 /// $XDG_CACHE_HOME/lambent or ~/.cache/lambent; nothing if the user has neither. [XDG Base Directory Specification 0.8]
 std::optional<std::filesystem::path> user_cache_folder();
 
-/// A name for the content of a file. Throws Error(bad_input) where it cannot be read.
+/// A key for the content of a file: its hash and size. Throws Error(bad_input) if it cannot be read.
 std::string content_key(const std::filesystem::path& path);
 
-/// Another name for every build of this program: what one made another may make otherwise.
+/// A key that differs between builds of this program, since their results may differ.
 std::string build_key();
 
 } // namespace lambent::environment

@@ -9,21 +9,21 @@
 namespace lambent::environment {
 
 /// Six square faces per level, each with a border of one texel that repeats its neighbours, as half-float RGB. Faces
-/// +X -X +Y -Y +Z -Z as in equations/sphere_maps.glsl. A level of faces of n texels starts at texel 8 n^2, which one
-/// shift finds; the gaps between levels are never touched and so take no memory.
+/// +X -X +Y -Y +Z -Z as in equations/sphere_maps.glsl. A level of faces of n texels starts at texel 8 n^2, found by one
+/// shift; the gaps between levels are never touched and so take no memory.
 class CubeChain {
 public:
-    int log2_size = 0;  ///< of a face at level 0
+    int log2_size = 0;  ///< log2 of a face's texels per side at level 0
     int levels = 0;     ///< the coarsest has faces of 1 << (log2_size - levels + 1) texels
-    float scale = 1.0f; ///< radiance = half * scale; a power of two that keeps suns below 65504
+    float scale = 1.0f; ///< radiance = half * scale; a power of two, so that suns stay below 65504
 
-    /// Makes room for `level_count` levels, all texels 0. The coarsest must have faces of 2 texels or more, unless it is
+    /// Allocates `level_count` levels, all texels 0. The coarsest must have faces of 2 texels or more, unless it is
     /// the only one. Throws std::bad_alloc.
     void allocate(int log2_face_size, int level_count);
 
     int face_size(int level) const { return 1 << (log2_size - level); }
 
-    /// Three halfs per texel, and a few more so that a pair of texels may be read as eight.
+    /// Three halfs per texel, and 8 more at the end, so that any pair of texels can be read as eight halfs.
     std::uint16_t* halfs() { return halfs_.get(); }
     const std::uint16_t* halfs() const { return halfs_.get(); }
 

@@ -13,7 +13,7 @@
 namespace lambent::environment {
 namespace {
 
-// Bilinear among the face's own texels: beyond the outermost centres the outermost texel goes on.
+// A bilinear lookup among the face's own texels, clamped to the outermost texel centres.
 Rgb inner_lookup(const CubeChain& chain, int level, const FacePosition& p)
 {
     const int size = chain.face_size(level);
@@ -34,7 +34,8 @@ Rgb inner_lookup(const CubeChain& chain, int level, const FacePosition& p)
     return {channel(0), channel(1), channel(2)};
 }
 
-// Diagonally beyond a corner it is both neighbours' equally: the mean of what a little more along either side meets.
+// Fills a border texel from the face that its direction meets. Diagonally beyond a corner it is the mean of both
+// neighbouring faces, each found by moving slightly further along one side.
 void fill_border_texel(CubeChain& chain, int level, int face, int x, int y)
 {
     const int size = chain.face_size(level);
@@ -49,7 +50,7 @@ void fill_border_texel(CubeChain& chain, int level, int face, int x, int y)
     out[2] = to_half(0.5f * (a.b + b.b));
 }
 
-// Three values of a texel.
+// RGB of a texel.
 using Light = std::array<float, 3>;
 
 Light light_at(const CubeChain& chain, std::size_t texel)
@@ -58,15 +59,16 @@ Light light_at(const CubeChain& chain, std::size_t texel)
     return {from_half(halfs[0]), from_half(halfs[1]), from_half(halfs[2])};
 }
 
-// A place of an edge, from one of its faces: the texel within, the border's beyond, and the same two of the other face.
-struct EdgePlace {
+// The texels at one point of an edge: the inner texel of a face and the border texel beyond it, and the same two of the
+// other face.
+struct EdgeTexels {
     std::size_t inner, border, other_inner, other_border;
 };
 
-EdgePlace edge_place(const CubeChain& chain, int level, int face, int x, int y)
+EdgeTexels edge_texels(const CubeChain& chain, int level, int face, int x, int y)
 {
     const int size = chain.face_size(level), last = size - 1;
-    constexpr double beyond = 1e-6; // of the edge
+    constexpr double beyond = 1e-6; // distance past the edge
     const auto coordinate = [size](int i) {
         return i < 0 ? -1.0 - beyond : i >= size ? 1.0 + beyond : (2.0 * i + 1.0) / size - 1.0;
     };
@@ -83,28 +85,28 @@ EdgePlace edge_place(const CubeChain& chain, int level, int face, int x, int y)
             chain.texel(level, p.face, border_x, border_y)};
 }
 
-struct Change {
+struct TexelChange {
     std::size_t texel;
     Light light;
 };
 
-void make(const std::vector<Change>& changes, CubeChain& chain)
+void store_changes(const std::vector<TexelChange>& changes, CubeChain& chain)
 {
     for (const auto& [texel, light] : changes)
         for (std::size_t k = 0; k < 3; ++k)
             chain.halfs()[3 * texel + k] = to_half(std::max(light[k], 0.0f));
 }
 
-// On an edge, half way between the inner texel and the border's, both faces shall read the same: what they read less or
-// more is shared between their borders.
+// Lookups on an edge, half way between the inner and the border texel, must agree between both faces: their difference
+// is split equally between the two borders.
 void join_edges(CubeChain& chain, int level)
 {
     const int size = chain.face_size(level);
-    std::array<std::vector<Change>, 6> changes; // by face
+    std::array<std::vector<TexelChange>, 6> changes; // by face
     tbb::parallel_for(0, 6, [&](int face) {
         for (int i = 0; i < size; ++i)
             for (const auto& [x, y] : {std::pair(i, -1), {i, size}, {-1, i}, {size, i}}) {
-                const EdgePlace at = edge_place(chain, level, face, x, y);
+                const EdgeTexels at = edge_texels(chain, level, face, x, y);
                 const Light inner = light_at(chain, at.inner), border = light_at(chain, at.border);
                 const Light other = light_at(chain, at.other_inner),
                             beyond = light_at(chain, at.other_border);
@@ -114,11 +116,11 @@ void join_edges(CubeChain& chain, int level)
                 changes[static_cast<std::size_t>(face)].push_back({at.border, joined});
             }
     });
-    for (const std::vector<Change>& of_face : changes)
-        make(of_face, chain);
+    for (const std::vector<TexelChange>& of_face : changes)
+        store_changes(of_face, chain);
 }
 
-// The same for the corners, where three faces meet, each with the mean of four texels.
+// The same for the corners, where three faces meet and each reads the mean of four texels.
 void join_corners(CubeChain& chain, int level)
 {
     const int size = chain.face_size(level);
@@ -145,13 +147,13 @@ void join_corners(CubeChain& chain, int level)
                     sums[vertex][k] += (corners.back().rest[k] + own[k]) / 3.0f;
                 }
             }
-    std::vector<Change> changes;
+    std::vector<TexelChange> changes;
     for (const Corner& corner : corners) {
         const Light& sum = sums[corner.vertex];
         changes.push_back(
             {corner.border, {sum[0] - corner.rest[0], sum[1] - corner.rest[1], sum[2] - corner.rest[2]}});
     }
-    make(changes, chain);
+    store_changes(changes, chain);
 }
 
 } // namespace

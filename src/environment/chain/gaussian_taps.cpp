@@ -9,8 +9,8 @@
 namespace lambent::environment {
 namespace {
 
-// Rings of equal weight, in standard deviations: those whose mean of Bessel functions J0 is nearest, to 0.01, to the Gaussian's
-// spectrum up to three over its deviation.
+// Radii of rings of equal weight, in standard deviations: those whose mean spectrum, of Bessel functions J0, is nearest
+// to the Gaussian's, within 0.01, up to three over its deviation.
 constexpr double four_rings[] = {0.567, 1.130, 1.130, 2.264};
 constexpr double five_rings[] = {0.247, 1.201, 1.201, 1.201, 2.368};
 

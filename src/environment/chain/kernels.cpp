@@ -22,14 +22,14 @@ CubeView view(const CubeChain& chain)
     return {chain.halfs(), chain.log2_size, chain.levels};
 }
 
-// A vector without its part along the unit vector d, of unit length.
+// The part of v perpendicular to the unit vector d, normalised.
 vec3 beside(vec3 v, vec3 d)
 {
     return normalize(v - dot(v, d) * d);
 }
 
-// A frame about the unit vector d towards a face: its tangents lie between the face's sides as they are seen from there,
-// so that it is mirrored where the direction is, and all faces' frames are alike.
+// A frame about the unit vector d towards a face. Its tangents bisect the projected directions of the face's sides, so
+// that mirrored directions have mirrored frames, alike on all faces.
 mat3 frame_on_face(int face, vec3 d)
 {
     const vec3 axis = direction_from_cube(face, 0.0, 0.0);
@@ -43,19 +43,20 @@ mat3 frame_on_face(int face, vec3 d)
 HWY_FLATTEN void resample_row(const ResampleRow& row, CubeChain& chain)
 {
     const Panorama& p = *row.panorama;
-    const PanoramaView picture{reinterpret_cast<const int32_t*>(p.texels.data()), p.width, p.height,
-                               row.limit / p.scale};
+    const PanoramaView panorama_view{reinterpret_cast<const int32_t*>(p.texels.data()), p.width, p.height,
+                                     row.limit / p.scale};
     const int size = chain.face_size(0);
     const Real scale = p.scale / chain.scale;
     uint16_t* out = chain.halfs() + 3 * chain.texel(0, row.face, 0, row.y);
     for (int x = row.first; x < row.end; x += static_cast<int>(lane_count)) {
         vec3 sum(0.0);
-        Real solid_angles = 0.0; // relative to each other
+        Real solid_angles = 0.0; // up to a common factor
         for (const TexelPoint& point : *row.points) {
             const Real t = (static_cast<float>(row.y) + point.y) * 2.0f / static_cast<float>(size) - 1.0f;
             const vec3 d = direction_from_cube(row.face, face_coordinate(x, point.x, size), t);
             const Real inverse = inversesqrt(dot(d, d)), solid_angle = inverse * inverse * inverse;
-            sum += solid_angle * panorama_bilinear(picture, equirectangular_from_direction(inverse * d));
+            sum +=
+                solid_angle * panorama_bilinear(panorama_view, equirectangular_from_direction(inverse * d));
             solid_angles += solid_angle;
         }
         store_halfs(scale / solid_angles * sum, lanes_left(x, row.end), out + 3 * x);

@@ -1,4 +1,4 @@
-// The loops over texels that run on SIMD lanes, one row a call. Each picks the best instructions of the processor.
+// The loops over texels that run on SIMD lanes, one row per call, with the processor's best instructions.
 #pragma once
 
 #include "environment/chain/cube_chain.h"
@@ -11,13 +11,13 @@
 
 namespace lambent::environment {
 
-/// A place within a texel, from 0 to 1 across and down.
+/// A sample position within a texel, from 0 to 1 across and down.
 struct TexelPoint {
     float x, y;
 };
 
-/// Texels [first, end) of a row of level 0 of a cube: the mean over solid angle of bilinear lookups at these points, as halfs over
-/// `chain.scale`. Texels of the panorama above `limit` radiance are dimmed to it.
+/// Fills texels [first, end) of a row of level 0 of a cube: each the mean over solid angle of bilinear lookups at
+/// `points`, as halfs over `chain.scale`. Texels of the panorama above `limit` radiance are dimmed to it.
 struct ResampleRow {
     const Panorama* panorama;
     float limit;
@@ -28,7 +28,7 @@ struct ResampleRow {
 };
 void resample_row(const ResampleRow& row, CubeChain& chain);
 
-/// A row of level `level` of the chain: the taps' mean of the level before.
+/// Fills a row of level `level` of the chain: each texel the mean, over the taps, of lookups in the level before.
 struct BlurRow {
     const GaussianTaps* taps;
     int level;

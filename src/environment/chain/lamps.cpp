@@ -8,13 +8,14 @@
 namespace lambent::environment {
 namespace {
 
-// More of them are not worth what they cost.
+// Each lamp costs time in every lookup; more lamps reduce the error too little for that.
 constexpr std::size_t most_lamps = 16;
 
-// How far from a lamp's middle its light may come, in texels of the first level that is without it.
+// Largest distance of a lamp's light from its centre, in texels of the first level that leaves the lamp out.
 constexpr double lamp_reach = 1.7;
 
-// Of level 0, which lobes of any width are read at: there lamps are no wider than this asks for, however small the panorama.
+// Largest texel, in radians, assumed where level 0 is the last with the lamps' light: lobes of any width are read from
+// level 0, so lamps must be narrow however small the panorama is.
 constexpr double widest_texel = 0.025;
 
 double light_of(const Peak& peak)
@@ -23,8 +24,8 @@ double light_of(const Peak& peak)
            static_cast<double>(peak.light[2]);
 }
 
-// Peaks taken together.
-struct Gathered {
+// Sums over the peaks that become one lamp.
+struct LampSum {
     double light[3] = {}, moment[3] = {}, weight = 0.0;
 
     void add(const Peak& peak)
@@ -54,21 +55,22 @@ struct Gathered {
             result.light[k] = static_cast<float>(light[k]);
             result.direction[k] = static_cast<float>(moment[k] / length());
         }
-        // Unit vectors have a mean that falls short of 1 by their variance.
+        // The mean of unit vectors is shorter than 1 by their variance.
         result.variance = static_cast<float>(std::max(0.5 * (1.0 - std::pow(length() / weight, 2)), 0.0));
         return result;
     }
 };
 
-// The brightest first, each joins the nearest lamp within `radius` or is a new one. Gives up above most_lamps.
-std::vector<Lamp> gathered(std::vector<Peak> peaks, double radius)
+// Takes the peaks from the brightest on: each joins the nearest lamp within `radius` or starts a new one. Stops when
+// there are more than most_lamps.
+std::vector<Lamp> gather_lamps(std::vector<Peak> peaks, double radius)
 {
     std::sort(peaks.begin(), peaks.end(),
               [](const Peak& a, const Peak& b) { return light_of(a) > light_of(b); });
-    std::vector<Gathered> all;
+    std::vector<LampSum> all;
     for (const Peak& peak : peaks) {
         const auto nearest =
-            std::min_element(all.begin(), all.end(), [&](const Gathered& a, const Gathered& b) {
+            std::min_element(all.begin(), all.end(), [&](const LampSum& a, const LampSum& b) {
                 return a.squared_chord(peak) < b.squared_chord(peak);
             });
         if (nearest != all.end() && nearest->squared_chord(peak) < radius * radius)
@@ -80,7 +82,7 @@ std::vector<Lamp> gathered(std::vector<Peak> peaks, double radius)
     }
     std::vector<Lamp> lamps;
     lamps.reserve(all.size());
-    for (const Gathered& one : all)
+    for (const LampSum& one : all)
         lamps.push_back(one.lamp());
     return lamps;
 }
@@ -93,7 +95,7 @@ Lamps choose_lamps(const Peaks& peaks, const CubeChain& chain)
         const double next = std::numbers::pi / 2.0 / chain.face_size(level + 1);
         const double texel = level == 0 ? std::min(next, widest_texel) : next;
         std::vector<Lamp> lamps =
-            gathered(merged(peaks.peaks, static_cast<float>(0.5 * texel)), lamp_reach * texel);
+            gather_lamps(merged(peaks.peaks, static_cast<float>(0.5 * texel)), lamp_reach * texel);
         if (lamps.size() <= most_lamps)
             return {std::move(lamps), level};
     }

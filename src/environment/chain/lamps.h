@@ -1,5 +1,5 @@
-// The brightest spots of an environment as lamps without size: a sample that stands for a wide part of a lobe reads a
-// blur, and a small lamp is smeared over all of that; the lobe itself is known where the lamp is.
+// The brightest spots of an environment as lights without size. A sample that represents a wide part of a lobe reads a
+// blur, which would smear a small lamp over that part; evaluating the lobe in the lamp's direction is exact.
 #pragma once
 
 #include "environment/chain/cube_chain.h"
@@ -9,22 +9,23 @@
 
 namespace lambent::environment {
 
-/// A spot as seen from infinitely far away.
+/// A bright spot, infinitely far away.
 struct Lamp {
-    float direction[3]; ///< unit length, to its middle
+    float direction[3]; ///< unit length, to its centre
     float light[3];     ///< radiance times solid angle, RGB
-    float variance;     ///< angular, about its middle, per axis, square radians
+    float variance;     ///< angular, about its centre, per axis, square radians
 };
 
 struct Lamps {
     std::vector<Lamp> lamps; ///< few: each costs about a quarter of a sample
-    int last_level = 0;      ///< of the chain that holds their light; from the next on it has to be added
+    int last_level = 0;      ///< last level of the chain with their light; to coarser levels it must be added
 };
 
-/// The peaks, merged to at most 16 lamps, at the finest level whose blur hides that they are merged.
+/// Merges the peaks to at most 16 lamps. The chain leaves them out from the finest level on whose blur hides the
+/// merging.
 Lamps choose_lamps(const Peaks& peaks, const CubeChain& chain);
 
-/// Blur of a level, as its angular variance in square radians.
+/// Angular variance of a level's blur, in square radians.
 float level_variance(const CubeChain& chain, int level);
 
 } // namespace lambent::environment

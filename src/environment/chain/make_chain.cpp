@@ -15,13 +15,13 @@
 namespace lambent::environment {
 namespace {
 
-// Faces of a quarter of the panorama's width are as sharp as it at their edges; larger ones only cost memory.
+// Faces of a quarter of the panorama's width are as sharp as the panorama at their edges; larger ones only cost memory.
 constexpr int least_log2_size = 5, most_log2_size = 10;
 
 // Reading a level bilinearly blurs it by this variance, in square texels: the mean of f (1 - f) over a texel.
 constexpr double lookup_variance = 1.0 / 6.0;
 
-// A level that holds the picture has to be read more densely than one that is blurred already.
+// Level 0 is not blurred and needs more taps than the later levels.
 constexpr int first_rings = 5, later_rings = 4;
 
 int log2_face_size(int panorama_width)
@@ -37,7 +37,7 @@ float power_of_two_at_least(float value)
     return std::exp2(std::ceil(std::log2(std::max(value, 1e-30f))));
 }
 
-// The least power of two by which a half holds the brightest texel, with room for what resampling rounds.
+// The smallest power of two by which the brightest texel fits into a half, with a margin for rounding in resampling.
 float chain_scale(float brightest)
 {
     return std::max(power_of_two_at_least(brightest / 32768.0f), 0x1p-14f);
@@ -51,7 +51,7 @@ struct Resampling {
     std::vector<TexelPoint> points;
 };
 
-// So many across, or more.
+// A square grid of at least `least_across` points per side.
 std::vector<TexelPoint> grid_of_points(double least_across)
 {
     const int across = std::max(static_cast<int>(std::ceil(least_across)), 1);
@@ -64,15 +64,15 @@ std::vector<TexelPoint> grid_of_points(double least_across)
     return points;
 }
 
-// Points of a texel no further apart than the panorama's texels at a face's centre, where its own are largest.
+// Sample positions no further apart than the panorama's texels at a face's centre, where the face's texels are largest.
 std::vector<TexelPoint> texel_points(int panorama_width, int face_size, double density = 1.5)
 {
-    if (panorama_width <= 4 * face_size) // nearly so with one; these two lie on a diagonal
+    if (panorama_width <= 4 * face_size) // one point is nearly dense enough; two on a diagonal are
         return {{0.25f, 0.75f}, {0.75f, 0.25f}};
     return grid_of_points(density / std::numbers::pi * panorama_width / face_size);
 }
 
-// A third of that apart: so near that a lone bright texel of the panorama keeps its light.
+// Sample positions a third of a panorama texel apart: so dense that a single bright texel keeps its light.
 std::vector<TexelPoint> dense_points(int panorama_width, int face_size)
 {
     return grid_of_points(3.0 / std::numbers::pi * panorama_width / face_size);
@@ -83,17 +83,17 @@ struct Range {
     int first, end;
 };
 
-// Of each row of level 0, face * size + y.
+// Ranges of each row of level 0, indexed by face * size + y.
 using Rows = std::vector<std::vector<Range>>;
 
-void resample(const Resampling& how, const Rows& rows, CubeChain& chain)
+void resample(const Resampling& resampling, const Rows& rows, CubeChain& chain)
 {
     const int size = chain.face_size(0);
     tbb::parallel_for(0, 6 * size, [&](int index) {
         for (const Range& range : rows[static_cast<std::size_t>(index)])
-            resample_row(
-                {how.panorama, how.limit, &how.points, index / size, index % size, range.first, range.end},
-                chain);
+            resample_row({resampling.panorama, resampling.limit, &resampling.points, index / size,
+                          index % size, range.first, range.end},
+                         chain);
     });
     fill_borders(chain, 0);
 }
@@ -103,7 +103,7 @@ Rows all_of(int size)
     return {static_cast<std::size_t>(6 * size), {Range{0, size}}};
 }
 
-// Those that overlap or touch become one.
+// Joins ranges that overlap or touch.
 void merge(std::vector<Range>& ranges)
 {
     std::ranges::sort(ranges, {}, &Range::first);
@@ -116,11 +116,11 @@ void merge(std::vector<Range>& ranges)
     ranges.resize(std::min(ranges.size(), last + 1));
 }
 
-// Where a texel above the limit may be seen.
+// The texels of level 0 whose lookups may read a panorama texel above the limit.
 Rows around(const Peaks& peaks, const Panorama& panorama, int size)
 {
     Rows rows(static_cast<std::size_t>(6 * size));
-    // From the middle of a peak to the end of its texels' bilinear reading, and half a texel of a face.
+    // From a peak's centre to the end of its texels' bilinear footprint, and half a texel of a face.
     const double texel = std::max(2.0 / panorama.width, 1.0 / panorama.height) * std::numbers::pi;
     const double reach = 2.0 * texel + 1.5 / size;
     for (const Peak& peak : peaks.peaks)
@@ -134,14 +134,14 @@ Rows around(const Peaks& peaks, const Panorama& panorama, int size)
     return rows;
 }
 
-// The faces' texels about the peaks once more, so that these keep their light.
+// Resamples the texels around the peaks more densely, so that the peaks keep their light.
 void resample_peaks(const Panorama& panorama, const Peaks& peaks, CubeChain& chain)
 {
     if (peaks.peaks.empty())
         return;
     const int size = chain.face_size(0);
     constexpr float narrow =
-        0.8f; // texels are narrower than high above 60 degrees, and a peak has some about it
+        0.8f; // sine of latitude: texels are made round above 60 degrees, and a peak extends beyond its centre
     const bool near_pole = std::ranges::any_of(
         peaks.peaks, [](const Peak& peak) { return std::fabs(peak.direction[1]) > narrow; });
     const Panorama round = near_pole ? with_round_texels(panorama) : Panorama{};
@@ -149,7 +149,7 @@ void resample_peaks(const Panorama& panorama, const Peaks& peaks, CubeChain& cha
              around(peaks, panorama, size), chain);
 }
 
-// Standard deviation, in radians, by which a level has to be blurred to become the next.
+// Standard deviation, in radians, of the blur that makes the next level from this one.
 double step_deviation(const CubeChain& chain, int level)
 {
     const double texel = std::numbers::pi / 2.0 / chain.face_size(level);
@@ -178,12 +178,12 @@ void add_peaks(const Peaks& peaks, int level, CubeChain& chain)
     fill_borders(chain, level);
 }
 
-// `apart` says which lamps are left out of which levels.
-Blurs build(const Panorama& panorama, Lamps (*apart)(const Peaks&, const CubeChain&))
+// `choose` selects the lamps and the last level that includes them.
+Blurs build(const Panorama& panorama, Lamps (*choose)(const Peaks&, const CubeChain&))
 {
     const int log2_size = log2_face_size(panorama.width);
     if (panorama.width > (6 << log2_size) && panorama.width % 2 == 0 && panorama.height % 2 == 0)
-        return build(halved(panorama), apart);
+        return build(halved(panorama), choose);
     Blurs blurs;
     CubeChain& chain = blurs.chain;
     chain.allocate(log2_size, log2_size);
@@ -195,7 +195,7 @@ Blurs build(const Panorama& panorama, Lamps (*apart)(const Peaks&, const CubeCha
     for (int level = 1; level < chain.levels; ++level)
         blur_level(level, chain);
     if (!peaks.peaks.empty()) {
-        blurs.lamps = apart(peaks, chain);
+        blurs.lamps = choose(peaks, chain);
         const int end = std::min(blurs.lamps.last_level + 1, chain.levels);
         tbb::parallel_for(1, std::max(end, 1), [&](int level) { add_peaks(peaks, level, chain); });
         resample_peaks(panorama, peaks, chain);
@@ -207,7 +207,7 @@ Blurs build(const Panorama& panorama, Lamps (*apart)(const Peaks&, const CubeCha
 
 CubeChain resampled(const Panorama& panorama, int log2_size)
 {
-    // Many texels to one of a face are added up before.
+    // A panorama of many texels per face texel is halved first.
     if (panorama.width > (16 << log2_size) && panorama.width % 2 == 0 && panorama.height % 2 == 0)
         return resampled(halved(panorama), log2_size);
     const Peaks peaks = find_peaks(panorama);

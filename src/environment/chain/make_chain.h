@@ -1,4 +1,4 @@
-// From a panorama to the cube of its blurs.
+// Makes the chain of blurs of a panorama.
 #pragma once
 
 #include "environment/chain/cube_chain.h"
@@ -7,19 +7,19 @@
 
 namespace lambent::environment {
 
-/// The chain of blurs, and the lamps that are not in all its levels.
+/// The chain of blurs, and the lamps that its coarse levels leave out.
 struct Blurs {
     CubeChain chain;
     Lamps lamps;
 };
 
-/// [see equations/footprint.glsl for why Gaussians]
+/// Blurs a panorama level by level; equations/footprint.glsl tells why by Gaussians.
 Blurs make_blurs(const Panorama& panorama);
 
-/// The panorama on a cube of faces of 2^log2_size texels, one level, as sharp as they are.
+/// The panorama resampled, without blur, to one level of faces of 2^log2_size texels.
 CubeChain resampled(const Panorama& panorama, int log2_size);
 
-/// The chain alone, every lamp in every level.
+/// The chain alone, with every lamp in every level.
 CubeChain make_chain(const Panorama& panorama);
 
 } // namespace lambent::environment

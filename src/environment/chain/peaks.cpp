@@ -17,18 +17,19 @@
 namespace lambent::environment {
 namespace {
 
-constexpr double least_over_mean = 16.0;
-constexpr double most_of_all = 1.0 / 128.0; // of the sphere
-constexpr double most_texels =
-    3000.0; // of the horizon's: what is wider than a few needs no help, at any resolution
+constexpr double least_over_mean = 16.0;    // the limit over the mean radiance
+constexpr double most_of_all = 1.0 / 128.0; // share of the sphere above the limit
+// Solid angle above the limit, in texels at the horizon: at any resolution, lights of more than a few texels need no
+// special treatment.
+constexpr double most_texels = 3000.0;
 
 double largest_channel(const Rgb& c)
 {
     return std::max(c.r, std::max(c.g, c.b));
 }
 
-// How bright the texels are: the integral of their largest channel over the sphere, and the solid angle that each
-// quarter of an octave of it fills. (Not how many texels: rows near a pole have as many as any other.)
+// A histogram of brightness, the largest channel: its integral over the sphere, and the solid angle in each quarter of
+// an octave. (Not the number of texels: rows near a pole have as many as any other.)
 struct Brightness {
     static constexpr int bins = 1024;
 
@@ -50,7 +51,7 @@ Brightness sum(Brightness a, const Brightness& b)
     return a;
 }
 
-// `brightest` gets that of each row.
+// Also sets `brightest` to the largest channel in each row.
 Brightness measure(const Panorama& panorama, std::vector<float>& brightest)
 {
     const auto add_rows = [&](const tbb::blocked_range<int>& rows, Brightness total) {
@@ -78,7 +79,7 @@ Brightness measure(const Panorama& panorama, std::vector<float>& brightest)
     return tbb::parallel_reduce(tbb::blocked_range<int>(0, panorama.height, 16), Brightness(), add_rows, sum);
 }
 
-// The least start of a bin that leaves little enough of the sphere above.
+// The lowest start of a bin above which the solid angle is within the bounds.
 float choose_limit(const Brightness& brightness, double horizon_texel)
 {
     const double mean = brightness.integral / (4.0 * std::numbers::pi);
@@ -88,11 +89,11 @@ float choose_limit(const Brightness& brightness, double horizon_texel)
     double above = 0.0;
     while (bin > least && above + brightness.solid_angle[bin] <= most)
         above += brightness.solid_angle[bin--];
-    // Of the bin itself some did not fit, or it is the least.
+    // The bin itself does not fit wholly, or it is the lowest allowed.
     return Brightness::start(bin < least ? least : bin + (bin > least ? 1 : 0));
 }
 
-// Texels of a row that are together about as wide as high; towards a pole they are many.
+// How many texels of a row are together about as wide as high: many near a pole.
 int texels_of_a_peak(const Panorama& panorama, int y)
 {
     const double sine = std::sin((y + 0.5) / panorama.height * std::numbers::pi);
@@ -100,7 +101,7 @@ int texels_of_a_peak(const Panorama& panorama, int y)
     return std::clamp(static_cast<int>(across), 1, std::max(panorama.width / 8, 1));
 }
 
-// What texels [first, end) of a row have above the limit, in its middle.
+// The light of texels [first, end) of a row above the limit, at its centroid.
 Peak cut_off(const Panorama& panorama, int y, int first, int end, double limit)
 {
     const double solid_angle = texel_solid_angle(panorama, y);
@@ -141,12 +142,13 @@ void cut_off_row(const Panorama& panorama, int y, float limit, std::vector<Peak>
     }
 }
 
-// First and last of the texels.
+// The first and last of consecutive texels.
 struct Interval {
     int first, last;
 };
 
-// The texels that the interval of angles about `along` (over `axis`) covers, by projection on the face; none: 0 to -1.
+// The texels, in one coordinate of a face, within `radius` radians of a direction whose components are `along` that
+// coordinate and along the face's `axis`; 0 to -1 if there are none.
 Interval covered(double along, double axis, double radius, int size)
 {
     const double length = std::hypot(along, axis);
@@ -162,13 +164,13 @@ Interval covered(double along, double axis, double radius, int size)
     return {texel(std::max(middle - half, -quarter)), texel(std::min(middle + half, quarter))};
 }
 
-// A texel that a peak's Gaussian reaches, and its share of the light.
+// A texel that a peak's Gaussian reaches, and the Gaussian's value there.
 struct Reached {
     std::uint16_t* texel;
     double weight;
 };
 
-// Fills `reached`; returns the sum of weight times solid angle, which is not normalised.
+// Finds the texels that a peak's Gaussian reaches; returns the sum of their weights times solid angles.
 double reach(const Peak& peak, double deviation, int level, CubeChain& chain, std::vector<Reached>& reached)
 {
     constexpr double furthest = 3.5;
@@ -184,14 +186,14 @@ double reach(const Peak& peak, double deviation, int level, CubeChain& chain, st
                 const double s = (x + 0.5) * texel - 1.0, t = (y + 0.5) * texel - 1.0;
                 const double cube = 1.0 / std::sqrt(1.0 + s * s + t * t);
                 const double cosine = cube * dot(in_double::direction_from_cube(face, s, t), d);
-                // The square of the angle, from that of the chord. 1e-4 off at one radian.
+                // The squared angle from the squared chord; the error is 1e-4 at one radian.
                 const double chord = std::max(2.0 - 2.0 * cosine, 0.0);
                 const double square = chord * (1.0 + chord * (1.0 / 12.0 + chord / 90.0));
                 const double deviations = square / (deviation * deviation);
                 if (deviations > furthest * furthest)
                     continue;
                 const double weight = std::exp(-0.5 * deviations);
-                // At fine levels the middle of a texel stands for all of it.
+                // At fine levels the solid angle is evaluated at the texel's centre.
                 const double area =
                     size >= 64 ? texel * texel * cube * cube * cube : cube_texel_solid_angle(size, x, y);
                 reached.push_back({chain.halfs() + 3 * chain.texel(level, face, x, y), weight});
@@ -233,7 +235,7 @@ std::vector<Peak> merged(const std::vector<Peak>& peaks, float spacing)
     struct Sum {
         double light[3] = {}, moment[3] = {};
     };
-    // Cells of a cube grid of about the spacing: peaks of one cell become one.
+    // Peaks in one cell of a cube grid of about that spacing become one.
     const int size = std::max(1, static_cast<int>(std::numbers::pi / 2 / spacing));
     std::map<int, Sum> cells;
     for (const Peak& peak : peaks) {

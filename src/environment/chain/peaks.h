@@ -1,5 +1,5 @@
-// The few brightest spots of a panorama: a sun of a few texels, lamps. Whatever reads a picture at points misses some
-// of them or counts them twice, so they are taken out and added where they belong.
+// The few brightest spots of a panorama: a sun of a few texels, lamps. Point sampling would miss some of them or count
+// them twice, so they are removed and added exactly.
 #pragma once
 
 #include "environment/chain/cube_chain.h"
@@ -19,21 +19,21 @@ struct Peaks {
     float brightest = 0.0f; ///< largest channel of all texels
     float limit = 0.0f;     ///< radiance (largest channel) above which texels were cut
     std::vector<Peak>
-        peaks; ///< what was cut off, one per texel; towards the poles one per as many as are as wide as high
+        peaks; ///< light above the limit, one per texel, near the poles one per group as wide as high
 };
 
-/// What exceeds a limit of at least 16 times the mean that leaves at most 1/128 of the sphere above it, and at most what 3000
-/// texels fill at the horizon: by solid angle, so that a lamp is taken or not wherever it stands.
+/// Finds the light above a limit. The limit is at least 16 times the mean, and above it are at most 1/128 of the sphere
+/// and at most the solid angle of 3000 texels at the horizon, so that a lamp's elevation does not matter.
 Peaks find_peaks(const Panorama& panorama);
 
 /// Neighbouring peaks merged until each is about `spacing` radians from the next; light and its centroid are kept.
 std::vector<Peak> merged(const std::vector<Peak>& peaks, float spacing);
 
-/// Adds peaks to a level as Gaussians on the sphere of standard deviation `deviation` (radians). The light that
-/// arrives in the level's texels is exactly the peaks' own.
+/// Adds peaks to a level as Gaussians on the sphere of standard deviation `deviation` (radians). The level's texels
+/// gain exactly the peaks' light.
 void add_gaussians(const std::vector<Peak>& peaks, float deviation, int level, CubeChain& chain);
 
-/// Box of the texels of a face that a circle of `radius` radians about a peak may touch; x0 > x1 or y0 > y1: none.
+/// Box of the texels of a face that a circle of `radius` radians about a peak may touch; empty if x0 > x1 or y0 > y1.
 struct TexelBox {
     int x0, x1, y0, y1;
 };

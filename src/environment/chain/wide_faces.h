@@ -1,17 +1,17 @@
 // Rows of a cube's faces on SIMD lanes. Included after wide/wide.h, inside a namespace of each target: no guard.
 
-// The nearest half, ties to even, of a number from 0 to 65504. Highway's own conversion cuts off where the processor has
-// none (SSE4 and portable), which makes all light darker by half a step on average.
+// Rounds a number from 0 to 65504 to the nearest half, ties to even. Highway's own conversion truncates where the
+// processor has none (SSE4 and portable), which would darken all light by half a step on average.
 Real nearest_half(Real a)
 {
     const Int odd = hn::And(hn::ShiftRight<13>(bits(a)), integer(1));
     const Int up = hn::Add(hn::Add(bits(a), integer(0xfff)), odd);
     const Real normal = from_bits(hn::And(up, integer(~0x1fff)));
-    // Below 2^-14 steps are of one size, that of the floats from 0.5 on.
+    // Halfs below 2^-14 have one step size, that of the floats from 0.5 to 1.
     return select(a < 0x1p-14, (a + 0.5) - 0.5, normal);
 }
 
-// Cuts what a half cannot hold and stores the first `count` lanes as texels.
+// Clamps to the range of halfs and stores the first `count` lanes as texels.
 void store_halfs(vec3 rgb, size_t count, uint16_t* halfs)
 {
     const hn::Rebind<hwy::float16_t, FloatTag> half_tag;
@@ -29,7 +29,7 @@ void store_halfs(vec3 rgb, size_t count, uint16_t* halfs)
         halfs[i] = rounded[i];
 }
 
-// The coordinate in [-1, 1] of points `inside` (0 to 1) across the texels x, x + 1, ...
+// The coordinates, in [-1, 1], of the points at the fraction `inside` (0 to 1) of the texels first, first + 1, ...
 Real face_coordinate(int first, float inside, int size)
 {
     const Real x = Real(hn::Iota(FloatTag(), static_cast<float>(first))) + Real(inside);

@@ -8,12 +8,12 @@
 namespace lambent::environment {
 namespace {
 
-// A patch wider than twice this is no damaged spot; its middle stays black.
+// Texels filled from the rim of a patch inwards, at most; the middle of a patch wider than twice this stays black.
 constexpr int most_layers = 16;
 
 bool sound(float v)
 {
-    return std::isfinite(v) && v <= brightest_believed;
+    return std::isfinite(v) && v <= brightest_valid;
 }
 
 // A panorama's texels by their index, packed or not.
@@ -41,7 +41,7 @@ struct FloatTexels {
     }
 };
 
-// The mean of the neighbours that are not waiting to be filled; false if there is none.
+// Finds the mean of the neighbours that are not waiting to be filled; returns false if there are none.
 template <class Texels>
 bool neighbour_mean(const Texels& panorama, const std::vector<bool>& waiting, std::size_t texel, Rgb& mean)
 {
@@ -71,10 +71,10 @@ bool neighbour_mean(const Texels& panorama, const std::vector<bool>& waiting, st
 
 void BrokenTexels::blacken(std::span<float> rgb, std::size_t first_texel)
 {
-    // Nearly every row is sound: one pass that the compiler turns into SIMD decides.
+    // Nearly all rows are valid, which one vectorised pass finds.
     bool all_sound = true;
     for (const float v : rgb)
-        all_sound &= v >= 0.0f && v <= brightest_believed;
+        all_sound &= v >= 0.0f && v <= brightest_valid;
     if (all_sound)
         return;
     for (std::size_t i = 0; i < rgb.size(); i += 3) {
@@ -122,7 +122,7 @@ void BrokenTexels::mend_texels(Texels& panorama, const std::string& name, Warnin
         left = std::move(still);
     }
     warnings.push_back(text(name, ": ", texels_.size(), " of ", count, " texels are not finite or above ",
-                            brightest_believed, "; each is replaced by the mean of its neighbours"));
+                            brightest_valid, "; each is replaced by the mean of its neighbours"));
 }
 
 void BrokenTexels::mend(Panorama& panorama, const std::string& name, Warnings& warnings) const

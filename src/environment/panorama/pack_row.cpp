@@ -25,7 +25,7 @@ HWY_FLATTEN void pack_row(const float* rgb, int count, float factor, uint32_t* t
         const Int floor_exponent = hn::Sub(hn::ShiftRight<23>(bits(largest)), integer(127));
         const Int exponent = hn::Max(floor_exponent, integer(-16));
         const Real scale = from_bits(hn::ShiftLeft<23>(hn::Sub(integer(127 + 8), exponent)));
-        // Rounding up to 512 takes one more exponent step.
+        // A mantissa that rounds up to 512 needs the next exponent.
         const Mask carry = largest * scale + 0.5 >= 512.0;
         const Real final_scale = select(carry, 0.5 * scale, scale);
         const Int step = hn::IfThenElseZero(hn::RebindMask(IntTag(), carry.m), integer(1));

@@ -1,4 +1,4 @@
-// The texel formats of image/, which panoramas and cubes of the environment are kept in.
+// The texel formats of image/ in which panoramas and cubes are stored.
 #pragma once
 
 #include "image/packed_texel.h"

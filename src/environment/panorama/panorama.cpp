@@ -15,7 +15,7 @@ namespace {
 constexpr float largest_packed = 65408.0f;
 constexpr int rows_at_once = 256; // the readers convert in parallel from about this many
 
-// Packs rows as they come. The scale is doubled when a row needs it, and what is packed already is packed again.
+// Packs rows as they are read. The scale is doubled when a row needs it, and the rows before are packed again.
 class Packer {
 public:
     explicit Packer(Panorama& panorama) : panorama_(panorama) {}

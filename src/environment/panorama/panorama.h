@@ -1,4 +1,4 @@
-// A picture of all directions, as it came from a file or a generator.
+// An image of light from all directions, from a file or a generator.
 #pragma once
 
 #include "base/error.h"
@@ -14,7 +14,7 @@
 namespace lambent::environment {
 
 /// Equirectangular: rows from the zenith (+Y) down, the middle column is +X, +Z a quarter to its right.
-/// Four bytes a texel: the background of a picture is drawn from it, everything else is made from it once.
+/// Four bytes per texel: the background is drawn from it, everything else is computed from it once.
 struct Panorama {
     int width = 0;
     int height = 0;
@@ -32,16 +32,16 @@ struct Panorama {
 /// Solid angle of each texel of row y, in steradians: see image/panorama_rows.h.
 double texel_solid_angle(const Panorama& panorama, int y);
 
-/// Reads row by row. Texels that are not finite or absurdly bright get the mean of their neighbours, negative values
-/// become 0; both are counted and warned of, and so is an aspect other than 2:1. Throws Error(bad_input) as the reader
-/// does, and for fewer than 2x1 texels.
+/// Reads row by row. Texels that are not finite or above 1e10 get the mean of their neighbours, negative values become
+/// 0; warnings count both, and another warns of an aspect other than 2:1. Throws Error(bad_input) as the reader does,
+/// and for fewer than 2x1 texels.
 Panorama load_panorama(const std::filesystem::path& path, Warnings& warnings);
 Panorama load_panorama(image::RadianceReader& reader, const std::string& name, Warnings& warnings);
 
-/// The same in floats, as it is in the file: for who wants no rounding. RGB.
+/// The same as RGB floats, without the rounding of packed texels.
 image::RadianceImage load_unpacked_panorama(const std::filesystem::path& path, Warnings& warnings);
 
-/// From light in memory, RGB or RGBA, all values finite and not negative.
+/// Packs an image in memory, RGB or RGBA, all values finite and not negative.
 Panorama make_panorama(const image::RadianceImage& image);
 
 /// Half as wide and high: each texel the mean over its solid angle, so that the light of every 2x2 block is kept.

@@ -11,7 +11,7 @@
 namespace lambent::environment {
 namespace {
 
-// What of each row or column, from `first` on, is in one of the new ones: shares that add up to 1.
+// Shares of consecutive source rows or columns, from `first` on, in one row or column of the result; they add up to 1.
 struct PixelShares {
     int first = 0;
     std::vector<double> of;
@@ -25,15 +25,15 @@ struct PixelShares {
     }
 };
 
-// The integral over [top, bottom] of how much a row counts there, times the sine: linear from 0 at `start` to 1 at `end`.
+// The integral over [top, bottom] of the sine times a row's weight, which is linear from 0 at `start` to 1 at `end`.
 double rising(double start, double end, double top, double bottom)
 {
     const auto primitive = [start](double a) { return std::sin(a) - (a - start) * std::cos(a); };
     return (primitive(bottom) - primitive(top)) / (end - start);
 }
 
-// Of a row of texels from polar angle `top` to `bottom`, given where the rows read are; -1 and the number of rows are possible:
-// the rows beyond the poles.
+// The shares of the source rows, whose polar angles are `angles`, in a row from `top` to `bottom`. Rows -1 and the
+// number of rows are those beyond the poles.
 PixelShares row_shares(const std::vector<double>& angles, double top, double bottom)
 {
     const int last = static_cast<int>(angles.size()) - 1;
@@ -55,8 +55,8 @@ PixelShares row_shares(const std::vector<double>& angles, double top, double bot
     return shares;
 }
 
-// Of a column from `left` to `right`, in columns read, whose middles are at 1/2, 3/2, ...; -1 and the number of columns
-// are possible: they go round.
+// The shares of the source columns in a column from `left` to `right`, in units of source columns, whose centres are at
+// 1/2, 3/2, ... Columns -1 and the number of columns wrap around.
 PixelShares column_shares(double left, double right)
 {
     PixelShares shares;
@@ -80,7 +80,7 @@ std::vector<PixelShares> all_column_shares(int from, int to)
     return all;
 }
 
-// One row of the mean over some rows, RGB.
+// The mean of source rows by their shares, RGB.
 std::vector<double> mixed_row(const Panorama& from, const PixelShares& shares)
 {
     std::vector<double> row(3 * static_cast<std::size_t>(from.width));

@@ -9,7 +9,7 @@
 namespace lambent::environment {
 namespace {
 
-// Each texel of a row the mean of itself and `half` on either side.
+// Sets each texel of a row to the mean of itself and `half` texels on either side.
 void average(const Panorama& from, int y, int half, Panorama& to)
 {
     const auto width = static_cast<std::size_t>(from.width);
@@ -27,7 +27,7 @@ void average(const Panorama& from, int y, int half, Panorama& to)
     for (int x = 0; x < from.width; ++x) {
         float rgb[3];
         for (int k = 0; k < 3; ++k)
-            rgb[k] = static_cast<float>(std::max(sum[k] * share, 0.0)); // taken away, light leaves a rest
+            rgb[k] = static_cast<float>(std::max(sum[k] * share, 0.0)); // subtraction leaves rounding errors
         to.texels[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)] =
             pack_rgb9e5(rgb[0], rgb[1], rgb[2]);
         add(x - half, -1.0);
@@ -42,7 +42,7 @@ Panorama with_round_texels(const Panorama& panorama)
     Panorama result = panorama;
     tbb::parallel_for(0, panorama.height, [&](int y) {
         const double sine = std::sin((y + 0.5) / panorama.height * std::numbers::pi);
-        const double columns = panorama.width / (2.0 * panorama.height * sine); // as wide as one is high
+        const double columns = panorama.width / (2.0 * panorama.height * sine); // together as wide as high
         const int half =
             std::min(static_cast<int>(std::lround(0.5 * (columns - 1.0))), (panorama.width - 1) / 2);
         if (half > 0)

@@ -1,12 +1,12 @@
-// Texels as wide as high.
+// Averages the narrow texels near the poles.
 #pragma once
 
 #include "environment/panorama/panorama.h"
 
 namespace lambent::environment {
 
-/// Texels that are narrower than high, towards the poles, averaged along their rows until they are not: so that points of a
-/// texel's height apart meet each, with its light.
+/// Averages texels that are narrower than high, towards the poles, along their rows until they are as wide as high, so
+/// that sample points a texel's height apart miss no texel's light.
 Panorama with_round_texels(const Panorama& panorama);
 
 } // namespace lambent::environment

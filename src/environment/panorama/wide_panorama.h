@@ -1,6 +1,6 @@
 // Looking up a Panorama with lanes of directions. Included after wide/wide.h, inside the target's namespace: no guard.
 
-// What the lookups need of a Panorama. Texels brighter than `limit` (before scale) are dimmed to it, keeping hue.
+// The members of a Panorama that lookups read. Texels above `limit` (before scale) are dimmed to it, keeping hue.
 struct PanoramaView {
     const int32_t* texels;
     int width;
@@ -30,14 +30,14 @@ HWY_INLINE vec3 panorama_texel(PanoramaView p, Int x, Int y)
     return dimmed(unpack_texel(hn::GatherIndex(IntTag(), p.texels, index)), p.limit);
 }
 
-// Half way round, for rows beyond a pole.
+// The column half a turn away, for rows beyond a pole.
 HWY_INLINE Int opposite(PanoramaView p, Int x)
 {
     const Int moved = hn::Add(x, integer(p.width / 2));
     return hn::IfThenElse(hn::Lt(moved, integer(p.width)), moved, hn::Sub(moved, integer(p.width)));
 }
 
-// Two texels of row y, which may be one beyond either pole: there the picture goes on across it.
+// Interpolates two texels of row y, which may be one beyond either pole: there the panorama continues across the pole.
 HWY_INLINE vec3 panorama_row(PanoramaView p, Int left, Int right, Int y, Real fraction)
 {
     const auto beyond = hn::Or(hn::Lt(y, integer(0)), hn::Gt(y, integer(p.height - 1)));
@@ -47,7 +47,7 @@ HWY_INLINE vec3 panorama_row(PanoramaView p, Int left, Int right, Int y, Real fr
     return mix(a, b, fraction);
 }
 
-// The texel that holds a place, radiance over the panorama's scale, from panorama coordinates in [0, 1].
+// The texel at panorama coordinates in [0, 1], as radiance over the panorama's scale.
 HWY_INLINE vec3 panorama_nearest(PanoramaView p, vec2 uv)
 {
     const Int last_x = integer(p.width - 1), last_y = integer(p.height - 1), zero = hn::Zero(IntTag());
@@ -56,7 +56,7 @@ HWY_INLINE vec3 panorama_nearest(PanoramaView p, vec2 uv)
     return panorama_texel(p, x, y);
 }
 
-// Bilinear, radiance over the panorama's scale, from panorama coordinates in [0, 1].
+// A bilinear lookup at panorama coordinates in [0, 1], as radiance over the panorama's scale.
 HWY_INLINE vec3 panorama_bilinear(PanoramaView p, vec2 uv)
 {
     const Real x = uv.x * Real(p.width) - 0.5, y = uv.y * Real(p.height) - 0.5;

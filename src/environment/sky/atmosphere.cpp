@@ -26,11 +26,11 @@ constexpr std::array<double, band_count> ozone_cross_section = {1.31e-23,  1.324
 
 // Optical depth of haze falls as wavelength^-1.3, as is usual on clear days. [Angstrom 1929]
 constexpr double haze_exponent = 1.3;
-// Single scattering albedo, average continental aerosol, as its mean cosine. [Hess, Koepke and Schult 1998, "Optical
-// properties of aerosols and clouds", table 4]
+// Single scattering albedo of average continental aerosol, of which haze_mean_cosine is too. [Hess, Koepke and Schult
+// 1998, "Optical properties of aerosols and clouds", table 4]
 constexpr float haze_albedo = 0.925f;
 
-// Share of what haze scatters that counts as not deflected. [Joseph et al. 1976, eq. 5]
+// Share of the light scattered by haze that counts as not deflected. [Joseph et al. 1976, eq. 5]
 constexpr float forward_share =
     static_cast<float>(Atmosphere::haze_mean_cosine * Atmosphere::haze_mean_cosine);
 
@@ -42,17 +42,17 @@ double air_depth(double micrometres)
            (1.0 + 0.0027059889 / square - 85.968563 * square);
 }
 
-// The table's axes are those of Bruneton and Neyret 2008, sec. 4: the root of altitude, and the length of the way
-// within the atmosphere between the shortest (straight up) and the longest (along the ground's edge).
+// The table's axes are those of Bruneton and Neyret 2008, sec. 4: the square root of altitude, and the length of the
+// path within the atmosphere, between the shortest (straight up) and the longest (tangent to the ground).
 constexpr int table_altitudes = 32;
-constexpr int table_ways = 64;
+constexpr int table_lengths = 64;
 constexpr int column_steps = 64;
 
-struct Ways {
+struct PathLengths {
     double shortest, longest;
 };
 
-Ways ways_from(double altitude)
+PathLengths path_lengths(double altitude)
 {
     return {Atmosphere::height - altitude, distance_to_space({altitude, horizon_cosine(altitude)})};
 }
@@ -99,7 +99,8 @@ Spectrum Atmosphere::deflection(const Densities& d) const
 Densities Atmosphere::columns(const Ray& ray) const
 {
     if (ray.cosine < 0.0) {
-        // Down to the lowest point and up again: twice the way up from there, less the way back to space.
+        // Down to the lowest point and up again: twice the path from there to space, less the path from the start in
+        // the opposite direction.
         const double radius = ground_radius + ray.altitude;
         const double lowest =
             std::max(0.0, radius * std::sqrt(1.0 - ray.cosine * ray.cosine) - ground_radius);
@@ -120,7 +121,7 @@ Densities Atmosphere::columns(const Ray& ray) const
 
 Spectrum Atmosphere::transmittance(const Ray& ray) const
 {
-    return left_after(extinction(columns(ray)));
+    return transmitted(extinction(columns(ray)));
 }
 
 double Atmosphere::forward_depth(const Ray& ray) const
@@ -132,18 +133,19 @@ double Atmosphere::forward_depth(const Ray& ray) const
 
 void Atmosphere::fill_table()
 {
-    table_.resize(static_cast<std::size_t>(table_altitudes) * table_ways);
+    table_.resize(static_cast<std::size_t>(table_altitudes) * table_lengths);
     tbb::parallel_for(0, table_altitudes, [this](int row) {
         const double t = static_cast<double>(row) / (table_altitudes - 1);
         const double altitude = t * t * height;
         const double radius = ground_radius + altitude, top = ground_radius + height;
-        const Ways ways = ways_from(altitude);
-        for (int column = 0; column < table_ways; ++column) {
-            const double share = static_cast<double>(column) / (table_ways - 1);
-            const double way = ways.shortest + share * (ways.longest - ways.shortest);
+        const PathLengths paths = path_lengths(altitude);
+        for (int column = 0; column < table_lengths; ++column) {
+            const double share = static_cast<double>(column) / (table_lengths - 1);
+            const double length = paths.shortest + share * (paths.longest - paths.shortest);
             const double cosine =
-                way > 0.0 ? (top * top - radius * radius - way * way) / (2.0 * radius * way) : 1.0;
-            table_[static_cast<std::size_t>(row * table_ways + column)] = left_after(
+                length > 0.0 ? (top * top - radius * radius - length * length) / (2.0 * radius * length)
+                             : 1.0;
+            table_[static_cast<std::size_t>(row * table_lengths + column)] = transmitted(
                 deflection(columns({altitude, std::clamp(cosine, horizon_cosine(altitude), 1.0)})));
         }
     });
@@ -151,20 +153,20 @@ void Atmosphere::fill_table()
 
 Spectrum Atmosphere::undeflected(const Ray& ray) const
 {
-    const Ways ways = ways_from(ray.altitude);
-    const double way = std::min(distance_to_space(ray), ways.longest);
-    const double share = (way - ways.shortest) / std::max(ways.longest - ways.shortest, 1e-9);
+    const PathLengths paths = path_lengths(ray.altitude);
+    const double length = std::min(distance_to_space(ray), paths.longest);
+    const double share = (length - paths.shortest) / std::max(paths.longest - paths.shortest, 1e-9);
     const double y = std::sqrt(ray.altitude / height) * (table_altitudes - 1);
-    const double x = std::clamp(share, 0.0, 1.0) * (table_ways - 1);
+    const double x = std::clamp(share, 0.0, 1.0) * (table_lengths - 1);
     const int row = std::clamp(static_cast<int>(y), 0, table_altitudes - 2);
-    const int column = std::min(static_cast<int>(x), table_ways - 2);
+    const int column = std::min(static_cast<int>(x), table_lengths - 2);
     const float below = static_cast<float>(y - row), right = static_cast<float>(x - column);
-    const Spectrum* at = table_.data() + row * table_ways + column;
+    const Spectrum* at = table_.data() + row * table_lengths + column;
     return (1.0f - below) * ((1.0f - right) * at[0] + right * at[1]) +
-           below * ((1.0f - right) * at[table_ways] + right * at[table_ways + 1]);
+           below * ((1.0f - right) * at[table_lengths] + right * at[table_lengths + 1]);
 }
 
-Spectrum left_after(const Spectrum& depth)
+Spectrum transmitted(const Spectrum& depth)
 {
     Spectrum left;
     for (int i = 0; i < band_count; ++i)

@@ -7,13 +7,13 @@
 
 namespace lambent::environment {
 
-/// A place and a way: altitude above the ground and the cosine of the angle from the vertical there.
+/// The start and direction of a ray: altitude above the ground, and the cosine of the angle from the vertical there.
 struct Ray {
     double altitude;
     double cosine;
 };
 
-/// Densities relative to those at the ground (ozone: to the densest), or their integrals along a way in km.
+/// Densities relative to those at the ground (ozone: to the densest), or their integrals along a path in km.
 struct Densities {
     double air = 0.0, haze = 0.0, ozone = 0.0;
 };
@@ -21,34 +21,34 @@ struct Densities {
 /// A clear atmosphere. Air and haze thin out exponentially, ozone is a layer.
 /// Turbidity is the ratio of the vertical optical depths of air and haze together to that of air, at 550 nm.
 ///
-/// Haze scatters much light by so little that it matters only close to the sun. Where light is scattered more than once,
-/// that share counts as not scattered: what is lost otherwise, by absorption or scattering, is called deflected.
+/// Haze scatters much of its light by angles so small that they matter only close to the sun. For light scattered more
+/// than once that share counts as not scattered; light lost otherwise, absorbed or scattered, is called deflected.
 /// [delta scaling: Joseph, Wiscombe and Weinman 1976, "The delta-Eddington approximation for radiative flux transfer"]
 class Atmosphere {
 public:
     static constexpr double ground_radius = 6371.0; ///< mean radius of the earth
-    static constexpr double height = 80.0; ///< of what is left away above, air has 1/22000 of its density
+    static constexpr double height = 80.0; ///< top of the atmosphere; air there has 1/22000 of its density
     static constexpr double haze_mean_cosine = 0.70; ///< of the angle by which haze scatters
 
     explicit Atmosphere(double turbidity);
 
     Densities densities(double altitude) const;
 
-    /// Per km, for given densities.
+    /// Coefficients per km, for given densities.
     Spectrum air_scattering(const Densities& d) const { return static_cast<float>(d.air) * air_; }
     Spectrum haze_scattering(const Densities& d) const { return static_cast<float>(d.haze) * haze_; }
     Spectrum haze_deflection(const Densities& d) const;
     Spectrum extinction(const Densities& d) const;
     Spectrum deflection(const Densities& d) const;
 
-    /// From a ray's start, at an altitude from 0 to `height`, out to space: the share of light that gets through, in
-    /// each band. The ray must not meet the ground. By integration.
+    /// Transmittance, in each band, from a ray's start, at an altitude from 0 to `height`, to space, by integration.
+    /// The ray must not meet the ground.
     Spectrum transmittance(const Ray& ray) const;
 
-    /// The same, but what gets through without being deflected; from a table.
+    /// The share of light that is not deflected on that path; from a table.
     Spectrum undeflected(const Ray& ray) const;
 
-    /// Optical depth, at 560 nm, of the scattering by haze that counts as not deflecting, on the same way.
+    /// Optical depth, at 560 nm, of the scattering by haze that counts as not deflecting, on that path.
     double forward_depth(const Ray& ray) const;
 
 private:
@@ -59,19 +59,19 @@ private:
     std::vector<Spectrum> table_;
 };
 
-/// What is left after extinction of `depth`: exp(-depth), band by band.
-Spectrum left_after(const Spectrum& depth);
+/// Transmittance of an optical depth: exp(-depth), band by band.
+Spectrum transmitted(const Spectrum& depth);
 
 /// Cosine of the angle from the vertical at which the ground's edge is seen.
 double horizon_cosine(double altitude);
 
-/// How far along a ray the top of the atmosphere is.
+/// Distance along a ray to the top of the atmosphere.
 double distance_to_space(const Ray& ray);
 
-/// How far the ground is, along a ray that goes below the horizon.
+/// Distance to the ground along a ray that goes below the horizon.
 double distance_to_ground(const Ray& ray);
 
-/// The ray as it is after a distance.
+/// The same ray from the point at a distance along it.
 Ray further_along(const Ray& ray, double distance);
 
 /// Share of the sun's disc, of angular radius `sun_radius`, above the ground's edge.

@@ -1,4 +1,4 @@
-// Walking along a ray through the atmosphere.
+// Ray marching through the atmosphere.
 #pragma once
 
 #include "environment/sky/atmosphere.h"
@@ -7,9 +7,9 @@
 
 namespace lambent::environment {
 
-/// How long a step acts, in km: the integral over the step of what is left of light scattered there on its way to the
-/// step's start. Extinction is constant over the step. [Hillaire 2015, "Physically based and unified volumetric rendering
-/// in Frostbite", analytic integration]
+/// Effective length of a step, in km: the integral over the step of the transmittance to its start. Extinction is
+/// constant over the step, and `left` is its transmittance. [Hillaire 2015, "Physically based and unified volumetric
+/// rendering in Frostbite", analytic integration]
 inline Spectrum effective_length(const Spectrum& extinction, const Spectrum& left, float length)
 {
     Spectrum result;
@@ -20,9 +20,9 @@ inline Spectrum effective_length(const Spectrum& extinction, const Spectrum& lef
     return result;
 }
 
-/// Visits `steps` points of a ray, up to `length` km from its start: visit(distance, point, densities, weight), where the
-/// light that the step sends to the ray's start is weight times what it scatters per km. Steps grow with distance.
-/// Returns the share of light that passes the whole way. Light that is not deflected counts as passing.
+/// Visits `steps` points of a ray, up to `length` km from its start: visit(distance, point, densities, weight), where
+/// weight times the light scattered per km at the point is the light that arrives from the step at the ray's start.
+/// Steps grow with distance. Returns the transmittance of the whole path; light not deflected counts as transmitted.
 template <class Visit>
 Spectrum march(const Atmosphere& atmosphere, const Ray& ray, double length, int steps, Visit&& visit)
 {
@@ -34,15 +34,15 @@ Spectrum march(const Atmosphere& atmosphere, const Ray& ray, double length, int 
         const Ray point = further_along(ray, distance);
         const Densities densities = atmosphere.densities(point.altitude);
         const Spectrum extinction = atmosphere.deflection(densities);
-        const Spectrum left = left_after(step * extinction);
+        const Spectrum left = transmitted(step * extinction);
         visit(distance, point, densities, passed * effective_length(extinction, left, step));
         passed *= left;
     }
     return passed;
 }
 
-/// Direction to the sun, seen from a point of a ray `distance` from its start: towards_sun is that at the start, and
-/// between_cosine that of the angle between ray and sun.
+/// Direction to the sun from the point of a ray `distance` km from its start. `towards_sun` is the direction from the
+/// start, `between_cosine` the cosine of the angle between ray and sun.
 inline Ray sun_from(const Ray& towards_sun, double between_cosine, double distance, double altitude)
 {
     const double start = Atmosphere::ground_radius + towards_sun.altitude;

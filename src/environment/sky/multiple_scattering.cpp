@@ -13,17 +13,17 @@ namespace {
 
 constexpr int altitudes = 16;
 constexpr int angles = 28;
-// The top of the atmosphere seen from below 1 km is not further around the earth than this, in radians.
+// Largest angle around the earth, in radians, to the top of the atmosphere as seen from below 1 km.
 constexpr double angle_span = 0.18;
 
-constexpr int heights = 16; // directions from a point: as many from down to up ...
-constexpr int sides = 2;    // ... towards the sun and away from it
+constexpr int heights = 16; // directions from a point: so many from down to up,
+constexpr int sides = 2;    // each towards the sun and away from it
 constexpr int scattering_steps = 8;
 
-constexpr float even = static_cast<float>(0.25 / std::numbers::pi); // phase function of even scattering
+constexpr float even = static_cast<float>(0.25 / std::numbers::pi); // phase function of isotropic scattering
 
-// What one direction sends to a point: light scattered once, and what it would send if light of radiance 1 came to
-// all of it from everywhere.
+// Radiance that arrives at a point from one direction: light scattered once, and the light that would be scattered if
+// radiance 1 reached every point of the ray from all directions.
 struct Sent {
     Spectrum once, transfer;
 };

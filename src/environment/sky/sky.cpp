@@ -29,10 +29,10 @@ double panorama_azimuth(float camera_azimuth)
     return std::remainder(0.5 * pi - static_cast<double>(camera_azimuth), 2.0 * pi);
 }
 
-// What the texels of one column share.
+// Values that the texels of one column share.
 struct Column {
-    int angle;      // of the table, before this column
-    float fraction; // of the way to the next
+    int angle;      // index of the table's last angle before this column
+    float fraction; // position between that angle and the next
     float cosine;   // of the horizontal angle from the sun
 };
 
@@ -42,9 +42,10 @@ std::vector<Column> make_columns(int width, double sun_azimuth, int angles)
     for (int x = 0; x < width; ++x) {
         const double azimuth = image::column_azimuth(x + 0.5, width);
         const double from_sun = std::fabs(std::remainder(azimuth - sun_azimuth, 2.0 * pi));
-        const double place = from_sun / pi * (angles - 1);
-        const int angle = std::min(static_cast<int>(place), angles - 2);
-        columns.push_back({angle, static_cast<float>(place - angle), static_cast<float>(std::cos(from_sun))});
+        const double position = from_sun / pi * (angles - 1);
+        const int angle = std::min(static_cast<int>(position), angles - 2);
+        columns.push_back(
+            {angle, static_cast<float>(position - angle), static_cast<float>(std::cos(from_sun))});
     }
     return columns;
 }

@@ -12,7 +12,7 @@
 namespace lambent::environment {
 namespace {
 
-// Where the viewer stands, km: high enough for the ground's edge to lie in the haze.
+// Altitude of the viewer, km: high enough for the ground's edge to lie in the haze.
 constexpr double viewer_altitude = 0.3;
 
 constexpr int steps = 32;
@@ -43,7 +43,7 @@ double haze_phase(double cosine, double ring)
     return 0.5 * (henyey_greenstein(broad_lobe, cosine) + ring * henyey_greenstein(sharp_lobe, cosine));
 }
 
-// SkyLight in bands, and how much of the light behind it passes.
+// SkyLight in bands, and the transmittance of the path.
 struct ClearSky::Scattered {
     Spectrum air, haze, even, passed;
 };
@@ -75,7 +75,7 @@ ClearSky::Scattered ClearSky::scattered(const Ray& ray, double between_cosine, d
     return sum;
 }
 
-// Of a horizontal surface, by directions that all contribute alike to an even sky.
+// Irradiance of a horizontal surface, by directions that have equal weights under a uniform sky.
 Spectrum ClearSky::sky_irradiance() const
 {
     const double sun_cosine = towards_sun_.cosine, sun_sine = std::sqrt(1.0 - sun_cosine * sun_cosine);

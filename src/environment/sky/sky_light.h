@@ -13,7 +13,7 @@ struct SkyLight {
     Rgb air, haze, even;
 };
 
-/// Densities over the sphere (their integral is 1) of the direction into which air and haze scatter light.
+/// Phase functions of air and haze, per steradian: their integral over the sphere is 1.
 /// [air: Rayleigh 1871; haze: two lobes of Henyey and Greenstein 1941] `ring` is the strength of the sharp lobe.
 double air_phase(double cosine);
 double haze_phase(double cosine, double ring = 1.0);
@@ -24,18 +24,18 @@ public:
     /// Elevation of the sun in radians, -0.1 to pi/2; turbidity 1.5 to 10 as Atmosphere.
     ClearSky(double sun_elevation, double turbidity);
 
-    /// From an elevation in radians, at a horizontal angle from the sun; without the sun itself.
+    /// Light from an elevation in radians, at a horizontal angle from the sun; without the sun itself.
     SkyLight light(double elevation, double from_sun) const;
 
-    /// Strength, in [0, 1], of the bright ring around the sun at an elevation. Light deflected once is computed as if
-    /// nothing of it were scattered on by a little more, which makes the ring too bright where haze is deep: of light of
-    /// depth x, x is counted but only 1 - exp(-x) is there.
+    /// Strength, in [0, 1], of the bright ring around the sun at an elevation. Single scattering is computed without
+    /// the loss by further small deflections, which makes the ring too bright where haze is deep: at an optical depth
+    /// of x the result is x in place of 1 - exp(-x).
     double ring(double elevation) const;
 
     /// Illuminance in lux of a surface that faces the sun, of the whole disc even when part of it has set.
     Rgb sun_illuminance() const;
 
-    /// Elevation of the edge between ground and sky: a little below the horizontal.
+    /// Elevation, in radians, of the edge between ground and sky: a little below the horizontal.
     double ground_edge() const;
 
 private:

@@ -47,13 +47,13 @@ Rgb rec709(Xyz c)
             static_cast<float>(0.0557 * c.x - 0.2040 * c.y + 1.0570 * c.z)};
 }
 
-// Where a wavelength lies between the bands: so much of `first`, the rest of the one after it.
-struct Place {
+// A wavelength between two bands: `share` of it belongs to band `first`, the rest to the next.
+struct BandBlend {
     int first;
     double share;
 };
 
-Place place(double nm)
+BandBlend bands_at(double nm)
 {
     int first = 0;
     while (first < band_count - 2 && nm > band_wavelengths[static_cast<std::size_t>(first) + 1])
@@ -65,13 +65,13 @@ Place place(double nm)
     return {first, share < 0.0 ? 0.0 : share > 1.0 ? 1.0 : share};
 }
 
-// What the whole of the sunlight around each band is.
+// RGB of all sunlight that belongs to each band.
 std::array<Rgb, band_count> make_weights()
 {
     std::array<Xyz, band_count> sums{};
     double nm = sunlight_start + 0.5 * sunlight_step;
     for (const double watts : sunlight) {
-        const Place p = place(nm);
+        const BandBlend p = bands_at(nm);
         const Xyz eye = colour_matching(nm);
         const double lumens = lumens_per_watt * sunlight_step * watts;
         for (const int side : {0, 1}) {

@@ -1,4 +1,4 @@
-// Sunlight in a few bands, and what the eye makes of it.
+// Sunlight in a few spectral bands, and its colour.
 #pragma once
 
 #include "environment/panorama/packed_texel.h"
@@ -9,11 +9,12 @@ namespace lambent::environment {
 
 constexpr int band_count = 8;
 
-/// Centres of the bands, nm. Between them spectra are taken as linear in wavelength^-4, in which scattering by air is.
+/// Centres of the bands, nm. Spectra are interpolated linearly in wavelength^-4, to which scattering by air is
+/// proportional.
 constexpr std::array<double, band_count> band_wavelengths = {400.0, 440.0, 480.0, 520.0,
                                                              560.0, 600.0, 640.0, 680.0};
 
-/// One number a band. As light, it is a share of the sunlight outside the atmosphere: of its irradiance, or of that
+/// One number per band. As light, it is a share of the sunlight outside the atmosphere: of its irradiance, or of that
 /// per steradian.
 struct Spectrum {
     std::array<float, band_count> band{};
@@ -60,10 +61,10 @@ inline Spectrum operator*(float f, Spectrum a)
     return a *= f;
 }
 
-/// What a share of sunlight is in lux (or, per steradian, nits), Rec. 709 red, green and blue. Colours beyond Rec. 709
+/// Converts a share of sunlight to lux (or, per steradian, nits), Rec. 709 red, green and blue. Colours beyond Rec. 709
 /// have a negative component.
-/// [sunlight: ASTM G173-03, extraterrestrial; eye: Wyman, Sloan and Shirley 2013, "Simple analytic approximations to the
-/// CIE XYZ color matching functions"; 683 lm/W; XYZ to RGB: IEC 61966-2-1]
+/// [sunlight: ASTM G173-03, extraterrestrial; eye: Wyman, Sloan and Shirley 2013, "Simple analytic approximations to
+/// the CIE XYZ color matching functions"; 683 lm/W; XYZ to RGB: IEC 61966-2-1]
 Rgb sunlight_rgb(const Spectrum& share);
 
 } // namespace lambent::environment

@@ -25,7 +25,7 @@ SkyLight plus(const SkyLight& a, float weight, const SkyLight& b)
             sum(a.even, weighted(weight, b.even))};
 }
 
-// Of four values in equal steps, the weights at t of the way from the second to the third. [Catmull and Rom 1974]
+// Weights of four values in equal steps at the fraction t between the second and the third. [Catmull and Rom 1974]
 std::array<float, 4> cubic_weights(float t)
 {
     const float t2 = t * t, t3 = t2 * t;
@@ -64,9 +64,9 @@ SkyTable::Row SkyTable::row(double elevation) const
     const double t =
         ground ? (edge_ - elevation) / (quarter + edge_) : (elevation - edge_) / (quarter - edge_);
     const int last = size_.elevations - 1;
-    const double place = std::sqrt(std::clamp(t, 0.0, 1.0)) * last;
-    const int first = std::min(static_cast<int>(place), last - 1);
-    const std::array<float, 4> weights = cubic_weights(static_cast<float>(place - first));
+    const double position = std::sqrt(std::clamp(t, 0.0, 1.0)) * last;
+    const int first = std::min(static_cast<int>(position), last - 1);
+    const std::array<float, 4> weights = cubic_weights(static_cast<float>(position - first));
     Row row(static_cast<std::size_t>(size_.angles));
     for (int k = 0; k < 4; ++k) {
         const int i = std::clamp(first + k - 1, 0, last) + (ground ? size_.elevations : 0);

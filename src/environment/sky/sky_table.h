@@ -1,4 +1,4 @@
-// A sky known at some directions and interpolated between them.
+// A sky tabulated at some directions and interpolated between them.
 #pragma once
 
 #include "environment/sky/sky_light.h"
@@ -8,8 +8,8 @@
 
 namespace lambent::environment {
 
-/// How finely: elevations for each of sky and ground, closest near the ground's edge, and horizontal angles from the
-/// sun, over half a turn (the other half is alike).
+/// The table's resolution: elevations for each of sky and ground, closest near the ground's edge, and horizontal angles
+/// from the sun, over half a turn (the other half is symmetric).
 struct SkyTableSize {
     int elevations = 40;
     int angles = 24;
@@ -32,7 +32,7 @@ private:
     std::vector<SkyLight> lights_;
 };
 
-/// Of a row, at a fraction of the way from one angle to the next.
+/// Interpolates a row at a fraction between one angle and the next.
 SkyLight between(const SkyTable::Row& row, int angle, float fraction);
 
 } // namespace lambent::environment

@@ -16,7 +16,7 @@ using std::numbers::pi;
 // The limb's radiance falls as the cosine at the sun's surface to this power: -0.023 + 0.292 / 0.55 micrometres.
 constexpr double limb_exponent = 0.508;
 
-// Points across the disc, at least.
+// Least number of sample points across the disc.
 constexpr double points_across = 48.0;
 
 struct Vector {
@@ -37,7 +37,7 @@ double brightness(const Vector& a, const Vector& centre)
     return square < 1.0 ? std::pow(1.0 - square, 0.5 * limb_exponent) : 0.0;
 }
 
-// The rows that the disc touches, and how much of it belongs to each texel.
+// Shares of the disc's light that belong to each texel of the rows it touches.
 class Shares {
 public:
     Shares(const SunDisc& sun, int width, int height)
@@ -54,7 +54,7 @@ public:
             add_row(row, sun, static_cast<int>(points));
     }
 
-    // Calls visit(x, y, share), shares adding up to 1 if nothing is hidden.
+    // Calls visit(x, y, share) for each texel with a share; shares add up to 1 if nothing is hidden.
     template <class Visit>
     void each(Visit&& visit) const
     {
@@ -65,8 +65,8 @@ public:
     }
 
 private:
-    // Columns within which the disc lies at a row: half of them, on either side of its centre. At the row's upper edge,
-    // which is closer to the zenith, they are the most.
+    // The number of columns on either side of the disc's centre that it may touch in a row. It is largest at the row's
+    // upper edge, which is closer to the zenith.
     int half_columns(int row) const
     {
         const double sine = std::sin(row * pi / height_);

@@ -1,4 +1,4 @@
-// The sun on the texels of a panorama.
+// Adds the sun to the texels of a panorama.
 #pragma once
 
 #include "environment/panorama/packed_texel.h"

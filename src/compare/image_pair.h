@@ -1,4 +1,4 @@
-// Picture files read so that they can be compared.
+// Two image files read for a comparison.
 #pragma once
 
 #include "base/error.h"
@@ -8,32 +8,32 @@
 
 namespace lambent::compare {
 
-/// What the numbers of a picture are.
+/// What the values of an image are.
 enum class Kind {
     srgb,   ///< codes of a .png or .jpg divided by their largest, 0 to 1
     linear, ///< light of a .exr or .hdr
 };
 
-/// As in the command's output.
+/// The name of a kind in the command's output.
 const char* name_of(Kind kind);
 
-/// Two pictures of one size and kind, RGB without coverage, every value finite.
-struct Pictures {
+/// Two images of one size and kind, RGB without coverage, every value finite.
+struct ImagePair {
     Kind kind = Kind::srgb;
     image::RadianceImage picture;
     image::RadianceImage reference;
 };
 
 /// Reads both. Sizes and kinds are compared before pixels are read. Values that are not finite become 0, with one
-/// warning for each file that counts them: an error that only one picture has is seen, and one that both have is not
-/// hidden by being added to everything. Alpha is left out. Throws Error(bad_input).
-Pictures read_pictures(const std::filesystem::path& picture, const std::filesystem::path& reference,
-                       Warnings& warnings);
+/// warning for each file that counts them: a value broken in one image only shows as an error, and one broken in both
+/// does not spoil the other results. Alpha is left out. Throws Error(bad_input).
+ImagePair read_image_pair(const std::filesystem::path& picture, const std::filesystem::path& reference,
+                          Warnings& warnings);
 
 /// Multiplies all values. Products stay finite.
 void expose(image::RadianceImage& picture, float factor);
 
-/// Cuts all values to [0, limit].
+/// Clamps all values to [0, limit].
 void clamp(image::RadianceImage& picture, float limit);
 
 } // namespace lambent::compare

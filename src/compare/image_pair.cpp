@@ -1,4 +1,4 @@
-#include "compare/picture.h"
+#include "compare/image_pair.h"
 
 #include "base/text.h"
 #include "image/files/image_io.h"
@@ -25,8 +25,8 @@ struct Header {
 
 Header header_of(const fs::path& path)
 {
-    Warnings told_when_read;
-    const image::ImageInfo info = image::inspect(path, &told_when_read);
+    Warnings repeated; // by the reader of the pixels
+    const image::ImageInfo info = image::inspect(path, &repeated);
     const bool codes = info.format == "PNG" || info.format == "JPEG";
     return {info.width, info.height, codes ? Kind::srgb : Kind::linear};
 }
@@ -100,14 +100,14 @@ const char* name_of(Kind kind)
     return kind == Kind::srgb ? "srgb" : "linear";
 }
 
-Pictures read_pictures(const fs::path& picture, const fs::path& reference, Warnings& warnings)
+ImagePair read_image_pair(const fs::path& picture, const fs::path& reference, Warnings& warnings)
 {
     const Header a = header_of(picture), b = header_of(reference);
     if (a.width != b.width || a.height != b.height || a.kind != b.kind)
         throw Error(Failure::bad_input, text(describe(picture, a), ", ", describe(reference, b),
                                              ": only pictures of one size and kind can be compared"));
-    Pictures pictures{a.kind, read(picture, a, warnings), read(reference, b, warnings)};
-    // A file may have changed since it was looked into.
+    ImagePair pictures{a.kind, read(picture, a, warnings), read(reference, b, warnings)};
+    // A file may have changed since its header was read.
     if (pictures.picture.values.size() != pictures.reference.values.size() ||
         pictures.picture.width != pictures.reference.width)
         throw Error(Failure::bad_input, text(picture.string(), ": changed while it was read"));

@@ -1,5 +1,5 @@
 // Files made ready to be compared.
-#include "compare/picture.h"
+#include "compare/image_pair.h"
 #include "image/files/image_io.h"
 #include "tests/compare/test_pictures.h"
 #include "tests/support/process.h"
@@ -18,7 +18,7 @@ std::string refusal(const std::string& a, const std::string& b)
 {
     Warnings warnings;
     try {
-        read_pictures(a, b, warnings);
+        read_image_pair(a, b, warnings);
         return "";
     } catch (const Error& error) {
         EXPECT_EQ(error.failure(), Failure::bad_input);
@@ -36,7 +36,7 @@ TEST(Picture, CodesAreSharesOfTheLargest)
     std::memcpy(deep.bytes.data(), codes, sizeof codes);
     image::write_codes(deep, b);
     Warnings warnings;
-    const Pictures pictures = read_pictures(a, b, warnings);
+    const ImagePair pictures = read_image_pair(a, b, warnings);
     EXPECT_EQ(pictures.kind, Kind::srgb);
     ASSERT_EQ(pictures.picture.values.size(), 6u);
     EXPECT_EQ(pictures.picture.values[1], 0.2f);
@@ -56,7 +56,7 @@ TEST(Picture, ValuesThatAreNotFiniteAreCountedAndTakenAsZero)
     image::write_radiance({2, 1, 3, {nan, 2, 3, inf, -inf, 6}}, a);
     image::write_radiance({2, 1, 4, {1, 2, 3, nan, 4, nan, 6, 1}}, b);
     Warnings warnings;
-    const Pictures pictures = read_pictures(a, b, warnings);
+    const ImagePair pictures = read_image_pair(a, b, warnings);
     EXPECT_EQ(pictures.kind, Kind::linear);
     EXPECT_EQ(pictures.picture.values, (std::vector<float>{0, 2, 3, 0, 0, 6}));
     EXPECT_EQ(pictures.reference.values, (std::vector<float>{1, 2, 3, 4, 0, 6}));
