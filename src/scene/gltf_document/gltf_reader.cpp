@@ -18,10 +18,10 @@ using nlohmann::json;
 constexpr double most_index = gltf::unreadable_index;
 constexpr double most_size = 9007199254740992.0;
 
-// A file with so many is noise.
+// A file with more broken elements than this is refused.
 constexpr std::size_t most_broken = 10'000;
 
-// Faults are lines without the file's name; none: all is well.
+// A message without the file's name; empty: no fault.
 using Fault = std::string;
 
 class Reader {
@@ -32,7 +32,7 @@ public:
     std::string first_loss() { return std::move(first_loss_); }
 
 private:
-    // A property's value on its way into a struct.
+    // A value of the document, its property, and the struct that it is read into.
     struct Value {
         json& source;
         const Property& property;
@@ -113,7 +113,7 @@ Fault Reader::read_nested(const Value& value, const Place& place)
     return fault;
 }
 
-// Before they are made.
+// Counts elements of a list against the limit of memory, before they are made.
 void Reader::spend(std::size_t elements, std::size_t bytes)
 {
     if (elements > bytes_left_ / bytes)
@@ -137,7 +137,7 @@ Fault Reader::read_objects(const Value& value, const Place& place)
                 refuse(notes_.file, ": ", fault, " (as are more than ", most_broken, " elements)");
             property.mark_broken(element);
         }
-        source = nullptr; // gives its memory back
+        source = nullptr; // frees its memory
     }
     return {};
 }
@@ -216,7 +216,7 @@ Fault Reader::read_list(const Value& value, const Place& place)
     return {};
 }
 
-// What is neither an object nor a list.
+// Reads a value that is neither an object nor a list.
 Fault Reader::read_one(const Value& value, const Place& place)
 {
     const auto& [source, property, object] = value;
