@@ -11,9 +11,10 @@
 namespace lambent::scene {
 namespace {
 
+// Limit of the elements of accessors without a bufferView, which are zeros.
 constexpr std::size_t most_zeros = 1'000'000;
 
-// Where the elements of an accessor are, after every check.
+// The layout of an accessor's elements in memory, after all checks.
 struct Layout {
     const std::uint8_t* first = nullptr; // null: all zeros
     std::size_t stride = 0;              // bytes from one element to the next
@@ -39,7 +40,7 @@ const gltf::Accessor& find_accessor(const Document& document, const AccessorUse&
     return accessor;
 }
 
-// Of a type that glTF has.
+// Components of an element. The type must be one that glTF defines.
 std::size_t components_of(std::string_view type)
 {
     if (type == "SCALAR")
@@ -48,7 +49,7 @@ std::size_t components_of(std::string_view type)
     return type.starts_with("MAT") ? side * side : side;
 }
 
-// Bytes of one component; 0 for what is no type of glTF: those of sparse indices were not looked at before.
+// Bytes of one component; 0 for unknown types, since those of sparse indices were not checked before.
 std::size_t component_bytes(int component)
 {
     switch (component) {
@@ -71,7 +72,7 @@ std::size_t element_bytes(const Layout& layout)
     return component_bytes(layout.component) * layout.components;
 }
 
-// The first byte of `count` elements, `stride` apart, from `offset` in the view.
+// `count` elements of `element` bytes, `stride` bytes apart, from `offset` in a bufferView.
 struct Run {
     int buffer_view;
     std::uint64_t offset;
@@ -80,6 +81,7 @@ struct Run {
     std::uint64_t element;
 };
 
+// The address of the first element. Throws if the view does not hold all of them.
 const std::uint8_t* check_run(const Document& document, const Run& run, const std::string& name)
 {
     const auto view = view_bytes(document, run.buffer_view, name);
@@ -110,7 +112,7 @@ Layout check_layout(const Document& document, const AccessorUse& use)
         return layout;
     }
     const std::uint64_t element = layout.stride;
-    view_bytes(document, accessor.buffer_view, name); // the view exists: its stride may be looked at
+    view_bytes(document, accessor.buffer_view, name); // throws if there is no such view
     const auto& view = document.model.buffer_views[static_cast<std::size_t>(accessor.buffer_view)];
     if (view.byte_stride != 0 && view.byte_stride < element)
         document.fail(name, ": elements of ", element, " bytes overlap in bufferView ", accessor.buffer_view,
@@ -125,7 +127,7 @@ Layout check_layout(const Document& document, const AccessorUse& use)
 template <class Source>
 Source load(const std::uint8_t* bytes)
 {
-    // The offsets of a file need not be aligned for this machine.
+    // Elements of a file may be unaligned for the processor.
     Source value;
     std::memcpy(&value, bytes, sizeof value);
     return value;
@@ -189,7 +191,7 @@ void copy_any(const Layout& layout, std::span<const std::uint32_t> selection, Ta
     }
 }
 
-// The elements that the sparse part replaces.
+// The indices of the elements that the sparse part replaces.
 std::vector<std::uint32_t> sparse_indices(const Document& document, const gltf::Accessor& accessor,
                                           const std::string& name)
 {
@@ -244,7 +246,7 @@ void apply_sparse(const Document& document, const AccessorUse& use, const Layout
     }
 }
 
-// Reads into `elements`, whose memory is `components` numbers of type Target an element.
+// Reads elements that consist of `components` numbers of type Target.
 template <class Target, class Element>
 std::vector<Element> read_elements(const Document& document, const AccessorUse& use, const Layout& layout)
 {

@@ -15,12 +15,12 @@
 namespace lambent::scene {
 namespace {
 
-// Samplers may share accessors, and a small file may share a few of them a million times. Keys of floats take
-// four bytes a number: so much sharing is more than anybody needs.
+// Limit of the numbers read: a constant, and a multiple of the bytes of all buffers. Samplers may share accessors, and
+// a small file could share a few of them a million times. A float takes four bytes, so each may be read sixteen times.
 constexpr std::uint64_t free_numbers = 2'000'000;
 constexpr std::uint64_t numbers_per_byte = 4;
 
-// Thirty years; seconds beyond have no fractions left in a float.
+// Seconds, about 30 years: far beyond the times whose fractions floats resolve.
 constexpr float farthest_time = 1e9f;
 
 std::optional<Animated> property_of(const std::string& path)
@@ -95,7 +95,7 @@ void AnimationReader::spend(std::uint64_t numbers)
     left_ -= numbers;
 }
 
-// Two keys at one time are a jump: from there on the later one counts.
+// Two keys at the same time are a jump: from that time on the later one counts.
 void AnimationReader::read_times(const gltf::AnimationSampler& sampler, const std::string& name, Curve& curve)
 {
     std::size_t jumps = 0;
@@ -115,7 +115,7 @@ void AnimationReader::read_times(const gltf::AnimationSampler& sampler, const st
                          " keys are at the same time as the one before: taken as jumps"));
 }
 
-// Whole numbers are fractions in rotations and weights; lengths and factors must be floats. [glTF 2.0, 3.11]
+// Integers are fractions in rotations and weights; translations and scales must be floats. [glTF 2.0, 3.11]
 void AnimationReader::read_values(const gltf::AnimationSampler& sampler, Animated property,
                                   const std::string& name, Curve& curve) const
 {
@@ -162,7 +162,7 @@ Curve AnimationReader::read_curve(const gltf::AnimationSampler& sampler, const T
     curve.width = curve.rotation                        ? 4
                   : track.property == Animated::weights ? target_count(document_, track.node)
                                                         : 3;
-    // Elements of `output`: weights come one by one.
+    // Elements of `output` for each key: every weight is an element.
     const std::uint64_t each = (curve.interpolation == Interpolation::cubic ? 3u : 1u) *
                                (track.property == Animated::weights ? curve.width : 1u);
     const AccessorUse input{sampler.input, name + ", input", false, {}},
@@ -182,7 +182,7 @@ Curve AnimationReader::read_curve(const gltf::AnimationSampler& sampler, const T
     return curve;
 }
 
-// Counts what is left out.
+// Whether the channel moves something that can be moved. Counts the others.
 bool AnimationReader::is_known(const gltf::AnimationChannel& channel)
 {
     const std::optional<Animated> property = property_of(channel.target.path);
@@ -258,7 +258,7 @@ void AnimationReader::warn()
     warn_if(repeated_, "of what another channel moves");
 }
 
-// Far beyond what anything can be drawn with, and within what floats hold.
+// Numbers clamped to the range of floats, far beyond values that can be drawn.
 std::vector<double> limited(std::vector<double> numbers)
 {
     constexpr double most = std::numeric_limits<float>::max();

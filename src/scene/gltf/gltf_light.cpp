@@ -15,7 +15,8 @@ namespace {
 
 constexpr double half_turn = 3.14159265358979323846;
 
-// Rotation and translation of a transform: the Z axis keeps its direction, Y stays in the plane of Z and Y.
+// Rotation and translation of a transform: the Z axis keeps its direction, Y stays in the plane of Z and Y. Nothing if
+// these axes have collapsed.
 std::optional<glm::mat4> rigid(const glm::dmat4& transform)
 {
     const glm::dvec3 z(transform[2]);
@@ -44,7 +45,7 @@ Camera read_lens(const Document& document, int index)
             document.fail("camera ", index, ": yfov ", source.perspective->yfov, " is not between 0 and pi");
         camera.vertical_fov = static_cast<float>(source.perspective->yfov);
     } else {
-        // ymag is half of what is seen; a negative one would turn the picture over and is read as positive.
+        // ymag is half the height of the view; a negative one would flip the picture and is read as positive.
         camera.vertical_size = static_cast<float>(2.0 * std::abs(source.orthographic->ymag));
         if (!(camera.vertical_size > 0.0f && std::isfinite(camera.vertical_size)))
             document.fail("camera ", index, ": ymag ", source.orthographic->ymag, " is no size");
@@ -52,13 +53,13 @@ Camera read_lens(const Document& document, int index)
     return camera;
 }
 
-// Whether the planes make sense; far may be infinite.
+// Whether these are valid clipping planes; far may be infinite.
 bool are_planes(double nearest, double near, double far)
 {
     return std::isfinite(near) && near >= nearest && far > near;
 }
 
-// What a camera says besides the height of what it sees. [glTF 2.0, 3.10.3]
+// Reads the aspect and the clipping planes. [glTF 2.0, 3.10.3]
 void read_extent(const Document& document, int index, Losses& losses, Camera& camera)
 {
     const gltf::Camera& source = document.model.cameras[at(index)];

@@ -19,7 +19,7 @@
 namespace lambent::scene {
 namespace {
 
-// A number that a material has at a place in its JSON: what stands for it where the file has none, and its range.
+// A number of a material: its path in the material's JSON, its default and its range.
 struct Factor {
     std::string_view path;
     double missing;
@@ -27,7 +27,7 @@ struct Factor {
     std::string_view name = {}; ///< in messages; empty: the path's last word
 };
 
-constexpr double huge = 1e30; // leaves room for what is multiplied onto it
+constexpr double huge = 1e30; // products with other factors stay within floats
 constexpr double any = std::numeric_limits<float>::max();
 constexpr Factor emissive_strength{"extensions/KHR_materials_emissive_strength/emissiveStrength", 1.0, 0.0,
                                    huge};
@@ -38,12 +38,12 @@ std::string_view last_word(std::string_view path)
     return path.substr(path.rfind('/') + 1); // npos + 1 is 0
 }
 
-// What the file says at a place; none: nothing.
+// The number that the file has at a path, if any.
 std::optional<double> number_at(const gltf::Material& source, std::string_view path, std::size_t component)
 {
     if (const auto found = source.factors.find(path); found != source.factors.end())
         return found->second[component];
-    // A texture's own.
+    // A texture's scale or strength.
     const std::string_view name = last_word(path);
     const auto texture = source.textures.find(path.substr(0, path.size() - name.size() - 1));
     if (path == name || texture == source.textures.end())
@@ -51,7 +51,7 @@ std::optional<double> number_at(const gltf::Material& source, std::string_view p
     return name == "scale" ? texture->second.scale : texture->second.strength;
 }
 
-// The file's texture settings, read while images that are used get their numbers.
+// Reads materials, and numbers the images that they use.
 class MaterialReader {
 public:
     MaterialReader(const Document& document, Losses& losses) : document_(document), losses_(losses) {}
@@ -80,7 +80,7 @@ private:
     const Document& document_;
     Losses& losses_;
     std::string name_;                                            // "material 3"
-    std::map<std::pair<int, std::string_view>, int> image_index_; // by where the bytes are
+    std::map<std::pair<int, std::string_view>, int> image_index_; // by bufferView and uri
     std::vector<int> images_;
 };
 
@@ -94,7 +94,7 @@ float MaterialReader::read_factor(const gltf::Material& source, const Factor& fa
     return static_cast<float>(kept);
 }
 
-// Images that name the same bytes become one.
+// Images with the same source become one.
 int MaterialReader::scene_image(int image)
 {
     const gltf::Image& source = document_.model.images[at(image)];
@@ -115,15 +115,15 @@ Sampler MaterialReader::read_sampler(int index)
     return {};
 }
 
-// T * R * S, where R turns by -rotation as the formula is usually written: v counts downwards. The listing in
-// the extension's text has the other sign; its example and the implementations agree on this one
-// (KhronosGroup/glTF issue 1563). [KHR_texture_transform]
+// T * R * S, where R rotates by -rotation in the usual notation, since v points down. The listing in the extension's
+// text has the other sign; its example and the implementations agree on this one (KhronosGroup/glTF issue 1563).
+// [KHR_texture_transform]
 glm::mat3 transform_of(const gltf::TextureTransform& transform)
 {
     const auto& [offset, scale, angle, tex_coord] = transform;
     const double c = std::cos(angle);
     const double s = std::sin(angle);
-    // Columns: what u becomes, what v becomes, where the origin goes.
+    // Columns: the images of the u axis, the v axis and the origin.
     return {glm::vec3(c * scale[0], -s * scale[0], 0.0), glm::vec3(s * scale[1], c * scale[1], 0.0),
             glm::vec3(offset[0], offset[1], 1.0)};
 }
@@ -161,7 +161,7 @@ TextureUse MaterialReader::find_texture(const gltf::TextureInfo& info, std::stri
     return use;
 }
 
-// By the rows of shading/material/parameters.h, whose factors are all from 0 to 1.
+// Reads the rows of shading/material/parameters.h, whose factors all range from 0 to 1.
 void MaterialReader::read_parameters(const gltf::Material& source, Material& material)
 {
 #define READ(target, object, key, value, words)                                                              \
@@ -193,7 +193,7 @@ void MaterialReader::read_numbers(const gltf::Material& source, const Factor& fa
         to[i] = read_factor(source, factor, i);
 }
 
-// By those of shading/material/textures.h.
+// Reads the rows of shading/material/textures.h.
 void MaterialReader::read_textures(const gltf::Material& source, Material& material)
 {
 #define TEXTURE(name, number, transfer, object, key)                                                         \
@@ -293,7 +293,7 @@ TextureNeeds texture_needs(const Material& material)
         if (use.image >= 0)
             needs.texcoords.insert(use.texcoord);
     });
-    // Tangents are the mesh's: of several maps the first decides which way they go.
+    // A mesh has one set of tangents, which follow the first of several normal maps.
     const auto need_tangents = [&](const TextureUse& use) {
         if (use.image < 0 || needs.normal_map_set >= 0)
             return;

@@ -16,20 +16,20 @@
 namespace lambent::scene {
 namespace {
 
-// Primitives may share accessors, and a small file may share a few of them a million times. Two million
-// elements are free; beyond that a file may ask for so many for each byte of its buffers. Ordinary vertices
-// with their indices take about 40 bytes and 6 elements: a hundred materials may be put on the same geometry.
+// Limit of the elements read: a constant, and a multiple of the bytes of all buffers. Primitives may share accessors,
+// and a small file could share a few of them a million times. Ordinary vertices with their indices take about 40 bytes
+// and 6 elements, so a hundred primitives may share the same geometry.
 constexpr std::uint64_t free_elements = 2'000'000;
 constexpr std::uint64_t elements_per_byte = 16;
 
-using Results = std::vector<PrimitiveResult>; // of each request
+using Results = std::vector<PrimitiveResult>; // one per request
 
 bool is_known(const ShapeStore& shapes, std::size_t request)
 {
     return shapes.known != nullptr && (*shapes.known)[request].has_value();
 }
 
-// Before anything large is allocated. Returns which requests are lost already.
+// Checks all requests before anything large is allocated. In the results, invalid requests are marked as lost.
 Results check_work(const Document& document, const ShapeStore& shapes, const Plan& plan)
 {
     Results results(plan.requests.size());
@@ -88,7 +88,7 @@ void warn(const Document& document, const PrimitiveNotes& notes, const Plan& pla
             " primitives have textures but not the texture coordinates they are read at: (0, 0) is used");
 }
 
-// Squares of distances must fit a float with room to spare; nobody draws the Milky Way in metres.
+// Whether all coordinates are below 1e18 m, so that squared distances fit a float.
 bool is_within_reach(const glm::dmat4& transform, float reach)
 {
     constexpr double farthest = 1e18;
@@ -102,8 +102,8 @@ bool is_within_reach(const glm::dmat4& transform, float reach)
     return true;
 }
 
-// The instances that are out of sight show a mesh without triangles. Their material stays: whether anything is
-// transparent should not depend on the moment.
+// Makes instances that cannot be drawn refer to an empty mesh. They keep their materials, so that whether a scene has
+// transparent ones does not change from moment to moment.
 void hide(const std::vector<std::size_t>& hidden, DrawnMeshes& drawn)
 {
     const auto nothing = static_cast<int>(drawn.meshes.size());
@@ -114,7 +114,7 @@ void hide(const std::vector<std::size_t>& hidden, DrawnMeshes& drawn)
     drawn.meshes.emplace_back();
 }
 
-// Tells what the primitives lost, and throws where that leaves nothing to draw.
+// Reports the faults of primitives, and throws if they leave nothing to draw.
 void tell_losses(const std::string& lost_before, const Results& results, Losses& losses)
 {
     std::string first = lost_before;
@@ -130,7 +130,7 @@ void tell_losses(const std::string& lost_before, const Results& results, Losses&
         refuse(first);
 }
 
-// The first of the losses that may have cost something to draw, before any primitive is read.
+// The first fault, before any primitive is read, that may have cost geometry.
 std::string first_loss(const Document& document, const NodeTree& nodes, const Plan& plan)
 {
     for (const std::string* loss : {&document.first_loss, &nodes.first_loss, &plan.first_loss})
@@ -139,8 +139,8 @@ std::string first_loss(const Document& document, const NodeTree& nodes, const Pl
     return {};
 }
 
-// World from mesh. A skinned mesh is in the world by its joints, whatever its node; its instances move it from there, about
-// the world's own origin.
+// World from mesh. Joints, not its node, place a skinned mesh in the world; its instances transform it from there,
+// about the world's own origin.
 glm::dmat4 transform_of(const NodeTree& nodes, const Plan& plan, const Plan::Use& use, bool in_world)
 {
     const glm::dmat4 node = in_world ? glm::dmat4(1.0) : nodes.world[at(use.node)];
@@ -153,7 +153,7 @@ glm::dmat4 transform_of(const NodeTree& nodes, const Plan& plan, const Plan::Use
            glm::translate(glm::dmat4(1.0), nodes.origin);
 }
 
-// Instances that cannot be drawn as they stand.
+// Finds instances that cannot be drawn with their transforms, and reports them.
 class OutOfSight {
 public:
     OutOfSight(const Document& document, Warnings& warnings)
@@ -177,7 +177,7 @@ public:
         return true;
     }
 
-    // The last fault of a node that is too far away; empty: none is.
+    // The last message about a node that is too far away; empty: none.
     const std::string& far() const { return far_; }
 
     void warn() const
@@ -198,8 +198,8 @@ private:
     std::string far_;
 };
 
-// Instances of the results that have anything to draw; those results become meshes, in order. Throws where all is too
-// far away.
+// Adds the instances of results that are not empty, and the meshes of these, in order. Throws if everything is too far
+// away.
 void assemble(const Document& document, const NodeTree& nodes, const Plan& plan, MeshTable& table,
               Warnings& warnings)
 {

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int no_parent = -1;
 
-// Faults in the hierarchy: each costs the link it is about.
+// Reports faults in the hierarchy.
 class Complaints {
 public:
     Complaints(const Document& document, Warnings& warnings)
@@ -32,7 +32,7 @@ public:
         losses_.add(text(file_, ": ", parts...), cost);
     }
 
-    // Of what may have had something to draw.
+    // A fault that may cost geometry.
     template <class... Parts>
     void lose(const char* cost, const Parts&... parts)
     {
@@ -49,7 +49,7 @@ private:
     std::string first_;
 };
 
-// The file's nodes as a forest: each has one parent at most, and nobody is his own ancestor.
+// The file's nodes as a forest: each has one parent at most, and none is its own ancestor.
 struct Forest {
     std::vector<int> parents;
     std::vector<std::vector<int>> children;
@@ -84,7 +84,7 @@ glm::dmat4 matrix_transform(const Document& document, std::size_t node, Complain
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row)
             matrix[column][row] = values[static_cast<std::size_t>(column * 4 + row)];
-    constexpr double slack = 1e-6; // exporters write what their own inverse left over
+    constexpr double slack = 1e-6; // rounding errors of exporters
     if (std::abs(matrix[0][3]) > slack || std::abs(matrix[1][3]) > slack || std::abs(matrix[2][3]) > slack ||
         std::abs(matrix[3][3] - 1.0) > slack)
         complaints.add("its last row is ignored", "node ", node, ": its matrix is not affine");
@@ -201,7 +201,8 @@ std::vector<int> preorder(const Forest& forest, const std::vector<int>& roots)
     return order;
 }
 
-// With one parent each, nodes that no root reaches go round in circles, or hang on one. Each circle loses one link.
+// Since each node has at most one parent, nodes that no root reaches are in or below a cycle. One link of each cycle is
+// removed.
 void cut_cycles(Forest& forest, Complaints& complaints)
 {
     std::vector<bool> reached(forest.parents.size(), false);
@@ -249,13 +250,13 @@ NodeTree build_node_tree(const Document& document, Pose pose, Warnings& warnings
         const int parent = parents[at(node)];
         glm::dmat4& world = tree.world[at(node)];
         world = parent == no_parent ? local.matrix : tree.world[at(parent)] * local.matrix;
-        // Cameras are there all the same. [KHR_node_visibility]
+        // Cameras are not affected. [KHR_node_visibility]
         tree.hidden[at(node)] =
             !document.model.nodes[at(node)].visible || (parent != no_parent && tree.hidden[at(parent)]);
         if (fits_floats(world))
             continue;
         complaints.lose("left out", "node ", node, ": its transform in the world is not finite");
-        world = glm::scale(glm::dmat4(1.0), glm::dvec3(0.0)); // as what is flattened
+        world = glm::scale(glm::dmat4(1.0), glm::dvec3(0.0)); // a point, like other flattened nodes
     }
     if (odd_rotations != 0)
         warnings.push_back(

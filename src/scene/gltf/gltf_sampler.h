@@ -1,4 +1,4 @@
-// How textures are read between and beyond their texels.
+// Samplers of textures.
 #pragma once
 
 #include "scene/gltf_document/gltf_document.h"
@@ -7,7 +7,8 @@
 
 namespace lambent::scene {
 
-/// A sampler of the file. An unknown filter or wrap mode is taken for what is usual (smooth, repeating), with a warning.
+/// A sampler of the file. An unknown filter or wrap mode is replaced by the default (linear, repeating), with a
+/// warning.
 Sampler read_sampler(const Document& document, int index, Losses& losses);
 
 } // namespace lambent::scene
