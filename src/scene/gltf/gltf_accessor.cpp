@@ -104,7 +104,7 @@ Layout check_layout(const Document& document, const AccessorUse& use)
     layout.normalized = accessor.normalized || use.normalized;
     layout.stride = element_bytes(layout);
     if (layout.count > std::numeric_limits<std::uint32_t>::max())
-        document.fail(name, ": ", layout.count, " elements are more than an index can count");
+        document.fail(name, ": ", layout.count, " elements exceed 32-bit indices");
     if (accessor.buffer_view < 0) {
         if (layout.count > most_zeros)
             document.fail(name, ": ", layout.count, " elements without a bufferView, at most ", most_zeros,
@@ -202,7 +202,8 @@ std::vector<std::uint32_t> sparse_indices(const Document& document, const gltf::
     layout.components = 1;
     layout.stride = element_bytes(layout);
     if (layout.component == gltf::Component::f32 || layout.stride == 0)
-        document.fail(name, ": sparse indices of componentType ", layout.component);
+        document.fail(name, ": sparse indices have componentType ", layout.component,
+                      ", which is not allowed");
     layout.first = check_run(document,
                              {sparse.indices.buffer_view, at(sparse.indices.byte_offset), layout.count,
                               layout.stride, layout.stride},
@@ -271,7 +272,8 @@ void check_integers(const Document& document, const AccessorUse& use, std::span<
 {
     const int component = find_accessor(document, use).component_type;
     if (std::find(allowed.begin(), allowed.end(), component) == allowed.end())
-        document.fail(use.what, ": accessor ", use.accessor, " has componentType ", component);
+        document.fail(use.what, ": accessor ", use.accessor, " has componentType ", component,
+                      ", which is not allowed");
 }
 
 } // namespace

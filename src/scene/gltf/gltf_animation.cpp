@@ -107,12 +107,12 @@ void AnimationReader::read_times(const gltf::AnimationSampler& sampler, const st
             document_.fail(name, ": the time of key ", key, " is not within ", farthest_time, " s");
         if (key > 0 && curve.times[key] < curve.times[key - 1])
             document_.fail(name, ": the time of key ", key, ", ", curve.times[key],
-                           " s, is before the one before");
+                           " s, is before that of the key before");
         jumps += key > 0 && curve.times[key] == curve.times[key - 1] ? 1 : 0;
     }
     if (jumps != 0)
         losses_.add(text(document_.file, ": ", name, ": ", jumps,
-                         " keys are at the same time as the one before: taken as jumps"));
+                         " keys have the time of the key before: read as jumps"));
 }
 
 // Integers are fractions in rotations and weights; translations and scales must be floats. [glTF 2.0, 3.11]
@@ -157,7 +157,8 @@ Curve AnimationReader::read_curve(const gltf::AnimationSampler& sampler, const T
     else if (sampler.interpolation == "CUBICSPLINE")
         curve.interpolation = Interpolation::cubic;
     else if (sampler.interpolation != "LINEAR")
-        document_.fail(name, ": interpolation \"", printable(sampler.interpolation), "\" is not one of glTF");
+        document_.fail(name, ": interpolation \"", printable(sampler.interpolation),
+                       "\" is not defined by glTF");
     curve.rotation = track.property == Animated::rotation;
     curve.width = curve.rotation                        ? 4
                   : track.property == Animated::weights ? target_count(document_, track.node)
@@ -173,7 +174,7 @@ Curve AnimationReader::read_curve(const gltf::AnimationSampler& sampler, const T
     if (keys == 0)
         document_.fail(name, ": no keys");
     if (values != keys * each) // both fit 32 bits
-        document_.fail(name, ": ", values, " values for ", keys, " keys, not ", each, " for each");
+        document_.fail(name, ": ", values, " values for ", keys, " keys, not ", each, " per key");
     spend(keys + values * (track.property == Animated::weights ? 1u : curve.width) +
           sparse_count(document_, sampler.input) + sparse_count(document_, sampler.output));
     read_times(sampler, name, curve);
@@ -252,10 +253,10 @@ void AnimationReader::warn()
             warnings_.push_back(
                 text(document_.file, ": ", count, " animation channels ", what, ": left out"));
     };
-    warn_if(unknown_, "of properties that are not known");
+    warn_if(unknown_, "of unknown properties");
     warn_if(matrices_, "of nodes with a matrix");
     warn_if(shapeless_, "of weights without morph targets");
-    warn_if(repeated_, "of what another channel moves");
+    warn_if(repeated_, "of properties that another channel animates");
 }
 
 // Numbers clamped to the range of floats, far beyond values that can be drawn.

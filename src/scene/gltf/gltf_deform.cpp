@@ -89,7 +89,7 @@ void check_joints(const Document& document, const PrimitivePart& part, const std
             for (int i = 0; i < 4; ++i) {
                 if (set.joints[vertex][i] >= joints)
                     document.fail(part.name, ": joint ", set.joints[vertex][i], " is past the skin's ",
-                                  joints);
+                                  joints, " joints");
                 if (!std::isfinite(set.weights[vertex][i]))
                     document.fail(part.name, ": a joint's weight is not finite");
             }

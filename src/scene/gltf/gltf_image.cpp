@@ -88,8 +88,8 @@ void check_pixels(std::span<Work> images)
     for (Work& work : images)
         work.go_on([&] {
             if (pixels + work.pixels > most_pixels)
-                refuse(work.encoded.name, ": ", work.pixels, " pixels, with those before it more than ",
-                       most_pixels);
+                refuse(work.encoded.name, ": ", work.pixels,
+                       " pixels, together with the images before it more than ", most_pixels);
             pixels += work.pixels;
         });
 }

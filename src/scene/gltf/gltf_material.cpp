@@ -111,7 +111,7 @@ Sampler MaterialReader::read_sampler(int index)
         return {};
     if (at(index) < document_.model.samplers.size())
         return scene::read_sampler(document_, index, losses_);
-    warn("sampler ", index, " does not exist: repeating and smooth");
+    warn("sampler ", index, " does not exist: the default sampler is used");
     return {};
 }
 
@@ -219,7 +219,7 @@ void MaterialReader::read_alpha(const gltf::Material& source, Material& material
     else if (source.alpha_mode == "BLEND")
         material.alpha_mode = AlphaMode::blend;
     else
-        warn("alphaMode \"", printable(source.alpha_mode), "\" is not one of glTF: OPAQUE is used");
+        warn("alphaMode \"", printable(source.alpha_mode), "\" is not defined by glTF: OPAQUE is used");
     material.alpha_cutoff = read_factor(source, alpha_cutoff);
 }
 

@@ -74,18 +74,17 @@ void warn(const Document& document, const PrimitiveNotes& notes, const Plan& pla
     warn_if(plan.without_positions, " primitives without positions left out");
     warn_if(notes.left_over_indices, " indices after the last whole triangle or line left out");
     warn_if(notes.left_out_displacements, " morph targets of texture coordinates or colours left out");
-    warn_if(plan.odd_weights, " primitives have another number of morph targets than of weights for them");
-    warn_if(
-        notes.restarts,
-        " indices are the largest number of their type, which is no vertex: triangles and lines end there");
+    warn_if(plan.odd_weights, " primitives have more or fewer morph targets than weights");
+    warn_if(notes.restarts, " indices are the largest of their type, which restarts the primitive: triangles "
+                            "and lines end there");
     warn_if(notes.broken_elements, " triangles, lines or points with positions that are not finite left out");
-    warn_if(notes.rebuilt_normals, " normals of no length rebuilt from the faces");
-    warn_if(notes.rebuilt_tangents, " tangents of no use replaced");
+    warn_if(notes.rebuilt_normals, " normals without length rebuilt from the faces");
+    warn_if(notes.rebuilt_tangents, " unusable tangents replaced");
     warn_if(notes.replaced_texcoords, " texture coordinates were not finite: replaced by 0");
     warn_if(notes.replaced_colors, " vertex colours were not finite: replaced by white");
     warn_if(notes.clamped_colors, " vertex colours outside of 0 to 1 clamped");
     warn_if(notes.missing_texcoords,
-            " primitives have textures but not the texture coordinates they are read at: (0, 0) is used");
+            " primitives have textures but not their texture coordinates: (0, 0) is used");
 }
 
 // Whether all coordinates are below 1e18 m, so that squared distances fit a float.
@@ -187,7 +186,8 @@ public:
                 warnings_.push_back(text(document_.file, ": ", count, what));
         };
         warn_if(singular_, " instances flattened by a singular transform: left out");
-        warn_if(useless_, " of the nodes' own instances are flat, not finite or out of reach: left out");
+        warn_if(useless_,
+                " instances of EXT_mesh_gpu_instancing are flat, not finite or too far away: left out");
     }
 
 private:
@@ -227,8 +227,8 @@ void assemble(const Document& document, const NodeTree& nodes, const Plan& plan,
     out_of_sight.warn();
     if (table.left_out() != 0)
         warnings.push_back(text(document.file, ": ", table.left_out(),
-                                " instances of points and lines, which are more than ", most_repeated_lines,
-                                " in all: left out"));
+                                " instances of points and lines beyond the limit of ", most_repeated_lines,
+                                " left out"));
 }
 
 } // namespace

@@ -66,7 +66,7 @@ Forest find_links(const Document& document, Complaints& complaints)
             if (child < 0 || at(child) >= nodes.size()) {
                 complaints.lose("left out", "node ", node, ": child ", child, " does not exist");
             } else if (forest.parents[at(child)] != no_parent) {
-                complaints.lose("the first counts", "node ", child, " has two parents, ",
+                complaints.lose("the first one is kept", "node ", child, " has two parents, ",
                                 forest.parents[at(child)], " and ", node);
             } else {
                 forest.parents[at(child)] = static_cast<int>(node);
@@ -174,8 +174,8 @@ std::vector<int> scene_roots(const Document& document, const std::vector<int>& p
             continue;
         }
         if (parents[at(root)] != no_parent)
-            complaints.add("drawn where that puts it", "scene ", scene, ": node ", root, " is no root: node ",
-                           parents[at(root)], " is its parent");
+            complaints.add("the parent's transform applies", "scene ", scene, ": root node ", root,
+                           " has a parent, node ", parents[at(root)]);
         listed[at(root)] = true;
         roots.push_back(root);
     }

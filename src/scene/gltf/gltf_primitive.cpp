@@ -153,7 +153,7 @@ bool is_drawable(const Document& document, int mesh, int primitive)
 {
     const gltf::Primitive& source = find_primitive(document, mesh, primitive);
     if (source.mode < gltf::Mode::points || source.mode > gltf::Mode::triangle_fan)
-        document.fail(primitive_name(mesh, primitive), ": mode ", source.mode, " is not one of glTF");
+        document.fail(primitive_name(mesh, primitive), ": mode ", source.mode, " is not defined by glTF");
     return source.attributes.contains("POSITION");
 }
 
@@ -179,7 +179,8 @@ std::uint64_t check_request(const Document& document, const PrimitiveRequest& re
     accessor_count(document, {position, name + ", POSITION", false, {}});
     const gltf::Accessor& positions = document.model.accessors[at(position)];
     if (positions.buffer_view < 0 && !positions.sparse && primitive.has_draco)
-        document.fail(name, ": its geometry is only there as KHR_draco_mesh_compression, which is not read");
+        document.fail(name,
+                      ": its geometry is compressed by KHR_draco_mesh_compression, which is not supported");
     std::uint64_t visits = check(position, "POSITION");
     if (primitive.indices >= 0)
         visits = check(primitive.indices, "indices");

@@ -15,7 +15,7 @@ Wrap read_wrap(const Document& document, int code, int sampler)
     case gltf::Wrapping::clamp_to_edge:
         return Wrap::clamp_to_edge;
     default:
-        document.fail("sampler ", sampler, ": wrap mode ", code, " is not one of glTF");
+        document.fail("sampler ", sampler, ": wrap mode ", code, " is not defined by glTF");
     }
 }
 
@@ -29,7 +29,7 @@ void read_magnification(const Document& document, int code, int index, Sampler& 
         sampler.magnify_nearest = true;
         break;
     default:
-        document.fail("sampler ", index, ": magFilter ", code, " is not one of glTF");
+        document.fail("sampler ", index, ": magFilter ", code, " is not defined by glTF");
     }
 }
 
@@ -51,7 +51,7 @@ void read_minification(const Document& document, int code, int index, Sampler& s
         sampler.mipmapped = false;
         break;
     default:
-        document.fail("sampler ", index, ": minFilter ", code, " is not one of glTF");
+        document.fail("sampler ", index, ": minFilter ", code, " is not defined by glTF");
     }
 }
 
@@ -61,10 +61,10 @@ Sampler read_sampler(const Document& document, int index, Losses& losses)
 {
     const gltf::Sampler& source = document.model.samplers[at(index)];
     Sampler sampler;
-    losses.spare("it repeats", [&] { sampler.wrap_u = read_wrap(document, source.wrap_s, index); });
-    losses.spare("it repeats", [&] { sampler.wrap_v = read_wrap(document, source.wrap_t, index); });
-    losses.spare("it is smooth", [&] { read_magnification(document, source.mag_filter, index, sampler); });
-    losses.spare("it is smooth", [&] { read_minification(document, source.min_filter, index, sampler); });
+    losses.spare("repeat is used", [&] { sampler.wrap_u = read_wrap(document, source.wrap_s, index); });
+    losses.spare("repeat is used", [&] { sampler.wrap_v = read_wrap(document, source.wrap_t, index); });
+    losses.spare("linear is used", [&] { read_magnification(document, source.mag_filter, index, sampler); });
+    losses.spare("linear is used", [&] { read_minification(document, source.min_filter, index, sampler); });
     return sampler;
 }
 

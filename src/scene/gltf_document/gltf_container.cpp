@@ -45,7 +45,7 @@ Container open_glb(std::span<const std::uint8_t> bytes, const std::string& file)
         refuse(file, ": GLB: ", bytes.size(), " bytes are too few for the header");
     const std::uint32_t version = little_endian(bytes, 4);
     if (version == 1)
-        refuse(file, ": glTF 1.0 is not read, only 2.0");
+        refuse(file, ": glTF 1.0 is not supported, only 2.0");
     if (version != 2)
         refuse(file, ": GLB: version ", version, " is not 2");
     const std::uint32_t length = little_endian(bytes, 8);

@@ -67,7 +67,7 @@ std::string unsupported(const json& document, const char* array)
 void check_extensions(const json& document, const std::string& file, Warnings& warnings)
 {
     if (const std::string names = unsupported(document, "extensionsRequired"); !names.empty())
-        refuse(file, ": needs extensions that are not supported: ", names);
+        refuse(file, ": requires extensions that are not supported: ", names);
     if (const std::string names = unsupported(document, "extensionsUsed"); !names.empty())
         warnings.push_back(text(file, ": extensions ignored: ", names));
 }
@@ -93,15 +93,15 @@ void check_version(const json& document, const std::string& file)
     };
     const std::string version = word("version");
     if (is_gltf_1(document, version))
-        refuse(file, ": glTF 1.0 is not read, only 2.0");
+        refuse(file, ": glTF 1.0 is not supported, only 2.0");
     if (!has_asset)
         refuse(file, ": asset is missing");
     if (version.empty())
         refuse(file, ": asset: version is missing");
     if (!version.starts_with("2."))
-        refuse(file, ": glTF version ", version, " is not read, only 2.0");
+        refuse(file, ": glTF version ", version, " is not supported, only 2.0");
     if (asset->contains("minVersion") && asset->at("minVersion") != "2.0")
-        refuse(file, ": needs glTF ", word("minVersion"), ", only 2.0 is read");
+        refuse(file, ": requires glTF ", word("minVersion"), ", only 2.0 is supported");
 }
 
 // The bytes of a buffer: from a data URI, a file, or the BIN chunk (for the first buffer, without uri).
@@ -120,8 +120,9 @@ BufferBytes open_buffer(const gltf::Buffer& buffer, std::span<const std::uint8_t
     }
     const std::uint64_t length = buffer.byte_length;
     if (length > bytes.size()) {
-        const std::string fault = text(where, ": ", length, " bytes declared, ", bytes.size(), " are there");
-        losses.add(fault, "used as far as they go");
+        const std::string fault =
+            text(where, ": ", length, " bytes declared, only ", bytes.size(), " present");
+        losses.add(fault, "these are used");
         if (document.first_loss.empty())
             document.first_loss = fault;
     }

@@ -38,7 +38,7 @@ void Losses::add(std::string_view fault, std::string_view cost)
             others_.place = warnings_.size();
             warnings_.emplace_back();
         }
-        warnings_[others_.place] = text(file_, ": and ", others_.more, " faults more");
+        warnings_[others_.place] = text(file_, ": and ", others_.more, " more faults");
     }
 }
 

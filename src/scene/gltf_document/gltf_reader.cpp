@@ -134,7 +134,7 @@ Fault Reader::read_objects(const Value& value, const Place& place)
         if (const Fault fault = read_object(source, *property.shape, inner, element); !fault.empty()) {
             lose(fault, "left out", inner);
             if (++broken_ > most_broken)
-                refuse(notes_.file, ": ", fault, " (as are more than ", most_broken, " elements)");
+                refuse(notes_.file, ": ", fault, " (and more than ", most_broken, " elements are broken)");
             property.mark_broken(element);
         }
         source = nullptr; // frees its memory
@@ -182,7 +182,7 @@ Fault Reader::read_words(const Value& value, const Place& place)
 {
     for (const json& word : value.source)
         if (!word.is_string())
-            return fault_at(place, text(value.property.name, " holds something that is not a string"));
+            return fault_at(place, text(value.property.name, " has an entry that is not a string"));
     auto* words = value.room<std::string>(value.source.size());
     for (json& word : value.source)
         *words++ = std::move(word.get_ref<std::string&>());

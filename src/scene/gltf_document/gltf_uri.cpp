@@ -130,7 +130,7 @@ std::filesystem::path path_beside(const UriBase& base, std::string_view uri, con
     if (path.is_absolute())
         refuse(where, ": \"", shown, "\" is an absolute path; only relative ones are read");
     if (!base.folder)
-        refuse(where, ": \"", shown, "\" is outside the file");
+        refuse(where, ": \"", shown, "\" is an external file; only embedded data is read");
     const std::filesystem::path found = *base.folder / path.lexically_normal();
     if (base.reach.anywhere)
         return found;
