@@ -153,14 +153,15 @@ glm::dmat4 transform_of(const NodeTree& nodes, const Plan& plan, const Plan::Use
 }
 
 // Finds instances that cannot be drawn with their transforms, and reports them.
-class OutOfSight {
+class UndrawableInstances {
 public:
-    OutOfSight(const Document& document, Warnings& warnings)
+    UndrawableInstances(const Document& document, Warnings& warnings)
         : document_(document), warnings_(warnings), losses_(document.file, warnings)
     {
     }
 
-    bool holds(const Plan::Use& use, const glm::dmat4& transform, float reach)
+    // Whether the instance cannot be drawn; if so, counts or reports it.
+    bool add_if(const Plan::Use& use, const glm::dmat4& transform, float reach)
     {
         const bool flat = !is_invertible(transform);
         if (!flat && is_within_reach(transform, reach))
@@ -205,12 +206,12 @@ void assemble(const Document& document, const NodeTree& nodes, const Plan& plan,
 {
     const bool moves = !nodes.pose.empty();
     DrawnMeshes& drawn = table.drawn();
-    OutOfSight out_of_sight(document, warnings);
+    UndrawableInstances undrawable(document, warnings);
     std::vector<std::size_t> hidden;
     for (const Plan::Use& use : plan.uses) {
         const PrimitiveResult& result = table.result(use.request);
         const glm::dmat4 transform = transform_of(nodes, plan, use, result.in_world);
-        const bool hides = out_of_sight.holds(use, transform, result.reach);
+        const bool hides = undrawable.add_if(use, transform, result.reach);
         if (hides && !moves)
             continue;
         const int mesh = table.use(use.request);
@@ -220,11 +221,11 @@ void assemble(const Document& document, const NodeTree& nodes, const Plan& plan,
             hidden.push_back(drawn.instances.size());
         drawn.instances.push_back({mesh, -1, glm::mat4(transform)});
     }
-    if (!out_of_sight.far().empty() && hidden.size() == drawn.instances.size())
-        refuse(out_of_sight.far());
+    if (!undrawable.far().empty() && hidden.size() == drawn.instances.size())
+        refuse(undrawable.far());
     if (moves)
         hide(hidden, drawn);
-    out_of_sight.warn();
+    undrawable.warn();
     if (table.left_out() != 0)
         warnings.push_back(text(document.file, ": ", table.left_out(),
                                 " instances of points and lines beyond the limit of ", most_repeated_lines,

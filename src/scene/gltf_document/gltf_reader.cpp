@@ -39,14 +39,14 @@ private:
         void* object;
 
         template <class Type>
-        Type* room(std::size_t count = 1) const
+        Type* allocate(std::size_t count = 1) const
         {
             return property.place ? static_cast<Type*>(property.place(object, property, count)) : nullptr;
         }
         template <class Type>
         void keep(Type&& value) const
         {
-            if (auto* kept = room<std::remove_cvref_t<Type>>())
+            if (auto* kept = allocate<std::remove_cvref_t<Type>>())
                 *kept = std::forward<Type>(value);
         }
     };
@@ -107,7 +107,7 @@ Fault Reader::read_nested(const Value& value, const Place& place)
 {
     const Property& property = value.property;
     const Place inner{&place, property.name, -1};
-    Fault fault = read_object(value.source, *property.shape, inner, value.room<void>());
+    Fault fault = read_object(value.source, *property.shape, inner, value.allocate<void>());
     if (!fault.empty() && property.drop)
         property.drop(value.object, property);
     return fault;
@@ -126,7 +126,7 @@ Fault Reader::read_objects(const Value& value, const Place& place)
     const Property& property = value.property;
     const std::size_t count = value.source.size();
     spend(count, property.element_bytes);
-    auto* elements = value.room<std::byte>(count);
+    auto* elements = value.allocate<std::byte>(count);
     for (std::size_t i = 0; i < count; ++i) {
         json& source = value.source[i];
         void* element = elements + i * property.element_bytes;
@@ -145,7 +145,7 @@ Fault Reader::read_objects(const Value& value, const Place& place)
 void Reader::read_indices(const Value& value, const Place& place)
 {
     bool told = false;
-    int* index = value.room<int>(value.source.size());
+    int* index = value.allocate<int>(value.source.size());
     for (const json& source : value.source) {
         std::uint64_t whole = gltf::unreadable_index;
         const std::string reason = read_whole(source, most_index, value.property.name, whole);
@@ -170,7 +170,7 @@ void Reader::read_index_map(const json& source, const Place& place, gltf::Attrib
 
 void Reader::read_index_maps(const Value& value, const Place& place)
 {
-    auto* map = value.room<gltf::AttributeMap>(value.source.size());
+    auto* map = value.allocate<gltf::AttributeMap>(value.source.size());
     for (const json& source : value.source) {
         if (source.is_object())
             read_index_map(source, place, map);
@@ -183,7 +183,7 @@ Fault Reader::read_words(const Value& value, const Place& place)
     for (const json& word : value.source)
         if (!word.is_string())
             return fault_at(place, text(value.property.name, " has an entry that is not a string"));
-    auto* words = value.room<std::string>(value.source.size());
+    auto* words = value.allocate<std::string>(value.source.size());
     for (json& word : value.source)
         *words++ = std::move(word.get_ref<std::string&>());
     return {};
@@ -210,7 +210,7 @@ Fault Reader::read_list(const Value& value, const Place& place)
     }
     if (const std::string reason = check_numbers(value.source, property); !reason.empty())
         return fault_at(place, reason);
-    auto* numbers = value.room<double>(value.source.size());
+    auto* numbers = value.allocate<double>(value.source.size());
     for (const json& number : value.source)
         *numbers++ = number.get<double>();
     return {};
@@ -264,7 +264,7 @@ Fault Reader::read_value(const Value& value, const Place& place)
     case Kind::index_map:
         if (!value.source.is_object())
             return fault_at(place, text(value.property.name, " is not an object"));
-        read_index_map(value.source, place, value.room<gltf::AttributeMap>());
+        read_index_map(value.source, place, value.allocate<gltf::AttributeMap>());
         return {};
     default:
         return read_list(value, place);

@@ -140,18 +140,18 @@ auto& member(void* object)
 }
 
 template <class Value>
-void* room(Value& value, std::size_t)
+void* allocate(Value& value, std::size_t)
 {
     return &value;
 }
 template <class Element>
-void* room(std::vector<Element>& values, std::size_t count)
+void* allocate(std::vector<Element>& values, std::size_t count)
 {
     values.resize(count);
     return values.data();
 }
 template <std::size_t N>
-void* room(std::array<double, N>& values, std::size_t)
+void* allocate(std::array<double, N>& values, std::size_t)
 {
     return values.data();
 }
@@ -161,9 +161,9 @@ void* place(void* object, const Property&, std::size_t count)
 {
     auto& value = member<Member>(object);
     if constexpr (Plain<MemberType<Member>>::optional)
-        return room(value.emplace(), count);
+        return allocate(value.emplace(), count);
     else
-        return room(value, count);
+        return allocate(value, count);
 }
 
 template <auto Member>
