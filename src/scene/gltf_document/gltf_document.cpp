@@ -136,6 +136,7 @@ void open_buffers(std::span<const std::uint8_t> binary, Document& document, Loss
         try {
             opened = open_buffer(buffer, binary, document, losses);
         } catch (const Error& error) {
+            opened = {}; // GCC 12 does not keep the default where open_buffer() throws
             losses.add(error.what(), "left out");
             if (document.first_loss.empty())
                 document.first_loss = error.what();
