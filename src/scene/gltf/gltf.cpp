@@ -7,6 +7,7 @@
 #include "scene/gltf/gltf_light.h"
 #include "scene/gltf/gltf_mesh.h"
 #include "scene/gltf/gltf_nodes.h"
+#include "scene/gltf/gltf_pose.h"
 
 #include <tbb/task_arena.h>
 
@@ -98,16 +99,16 @@ Stage GltfFile::Opened::stage(const std::optional<Moment>& moment, const glm::dv
 // scenes very far away are metres apart in floats there, and more exact from nearby.
 Stage GltfFile::Opened::rest_stage(const ShapeStore& shapes, Warnings& warnings) const
 {
-    constexpr int most_looks = 4;
+    constexpr int most_steps = 4;
     glm::dvec3 from(0.0);
     Stage stage = this->stage(std::nullopt, from, shapes, warnings);
-    for (int look = 1; look < most_looks; ++look) {
-        const glm::dvec3 further = better_origin(bounds(stage.scene));
-        if (further == glm::dvec3(0.0))
+    for (int step = 1; step < most_steps; ++step) {
+        const glm::dvec3 offset = better_origin(bounds(stage.scene));
+        if (offset == glm::dvec3(0.0))
             break;
-        from += further;
-        Warnings said;
-        stage = this->stage(std::nullopt, from, shapes, said);
+        from += offset;
+        Warnings repeated;
+        stage = this->stage(std::nullopt, from, shapes, repeated);
     }
     return stage;
 }

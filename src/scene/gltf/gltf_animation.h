@@ -1,15 +1,11 @@
-// The animations of a glTF, and the poses of its nodes at a moment.
+// The animations of a glTF.
 #pragma once
 
-#include "scene/gltf/gltf.h"
 #include "scene/gltf/gltf_curve.h"
 #include "scene/gltf_document/gltf_document.h"
-#include "scene/gltf/gltf_nodes.h"
+#include "scene/scene.h"
 
 #include <cstdint>
-#include <optional>
-#include <span>
-#include <string>
 #include <vector>
 
 namespace lambent::scene {
@@ -32,10 +28,5 @@ struct Animation {
 /// ones: indices that do not exist, descending times, counts that do not match, values that are not finite, and more
 /// keys than a file of its size may have. Two keys at the same time are a jump, with a warning.
 std::vector<Animation> read_animations(const Document& document, Warnings& warnings);
-
-/// The poses of nodes at a moment; without one, at rest. Always holds all nodes that any of the animations moves.
-/// Seconds are clamped to the animation's duration. Throws Error(usage) for an animation that does not exist.
-Pose pose_of(const Document& document, std::span<const Animation> animations,
-             const std::optional<Moment>& moment);
 
 } // namespace lambent::scene
