@@ -5,7 +5,7 @@
 namespace lambent::scene {
 namespace {
 
-// The lists as the program counts them.
+// Numbers of rows of the lists, and whether the rows are numbered consecutively.
 struct Rows {
     int numbers = 0, textures = 0, layers = 0;
     bool in_order = true;

@@ -1,4 +1,4 @@
-// What surfaces are made of.
+// Materials of surfaces, and their textures.
 #pragma once
 
 #include <glm/mat3x3.hpp>
@@ -21,7 +21,7 @@ struct Sampler {
     bool magnify_nearest = false; ///< magFilter NEAREST
     bool minify_nearest = false;  ///< minFilter NEAREST or NEAREST_MIPMAP_*
     bool nearest_mipmap = false;  ///< minFilter *_MIPMAP_NEAREST: one mip map is read, not a blend of two
-    bool mipmapped = true;        ///< minFilter with mip maps, or none given
+    bool mipmapped = true;        ///< minFilter uses mip maps, or is absent
 
     bool operator==(const Sampler&) const = default;
 };
@@ -30,21 +30,22 @@ struct Sampler {
 struct TextureUse {
     int image = -1; ///< index into Scene::images; -1: no texture
     Sampler sampler;
-    int texcoord = 0;          ///< which set of the mesh, not below 0
+    int texcoord = 0;          ///< number of the mesh's set of texture coordinates, not below 0
     glm::mat3 transform{1.0f}; ///< applied to (u, v, 1); KHR_texture_transform
 };
 
 enum class AlphaMode : std::uint8_t { opaque, mask, blend };
 
-/// What the report's model takes in place of what it makes of a material's colour, metalness and roughness.
+/// Parameters of the report's Phong model. Those that are set replace the values derived from the material's colour,
+/// metalness and roughness.
 struct PhongMaterial {
     std::optional<glm::vec3> diffuse;  ///< Kd
     std::optional<glm::vec3> specular; ///< Ks
     std::optional<float> exponent;     ///< alpha of the report: Phong exponent, 0 < exponent <= 1e6
 };
 
-/// Metallic-roughness. [glTF 2.0, 3.9] The rows of shading/material/ are its factors and its textures; emissive is radiance in
-/// nits, KHR_materials_emissive_strength multiplied in.
+/// A metallic-roughness material. [glTF 2.0, 3.9] Its factors and textures are the rows of shading/material/;
+/// `emissive` is radiance in nits and includes KHR_materials_emissive_strength.
 struct Material {
     std::string name;
 #define COLOR_AND_ALPHA(name, alpha, number, value, object, key, texture) glm::vec4 name{value};
@@ -67,10 +68,10 @@ struct Material {
 
 #include "shading/material/numbers.glsl"
 
-/// What the codes of a texture are.
+/// Whether the codes of a texture are colours, with a transfer function, or linear numbers.
 enum class TextureCodes : std::uint8_t { color, linear };
 
-/// Calls visit(number, use, codes) for every texture that a material may have, whether it has it or not.
+/// Calls visit(number, use, codes) for every texture of a material, also for those without an image.
 template <class SomeMaterial, class Visit>
 void for_each_texture(SomeMaterial& material, const Visit& visit)
 {
@@ -81,13 +82,13 @@ void for_each_texture(SomeMaterial& material, const Visit& visit)
 #include "shading/material/textures.h"
 }
 
-/// Whether a lobe may lie over its base (shading/lobes/layers.h).
+/// Whether the material may have a lobe over its base (shading/lobes/layers.h).
 bool has_layers(const Material& material);
 
-/// The factors by the parameters' numbers.
+/// The material's factors, indexed by the numbers of the parameters.
 std::array<float, parameter_numbers> factors_of(const Material& material);
 
-/// The scales of a material's normal maps, by the textures' numbers; 1 for other textures.
+/// The scales of the material's normal maps, indexed by the numbers of the textures; 1 for other textures.
 std::array<float, texture_count> normal_scales_of(const Material& material);
 
 } // namespace lambent::scene

@@ -1,4 +1,4 @@
-// Loops over independent work on all processors.
+// Parallel loops over independent work.
 #pragma once
 
 #include <tbb/parallel_for.h>
@@ -9,8 +9,8 @@
 
 namespace lambent::scene {
 
-/// Calls work(0) .. work(count - 1), each once, in no order. Where several throw, the exception of the lowest
-/// index is passed on: the same file always gives the same message.
+/// Calls work(0) .. work(count - 1), each once, in parallel and in any order. If several throw, the exception of the
+/// lowest index is rethrown, so that the same file always gives the same message.
 template <class Work>
 void parallel_for_each_index(std::size_t count, const Work& work)
 {

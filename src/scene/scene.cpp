@@ -22,7 +22,8 @@ Bounds merge(const Bounds& a, const Bounds& b)
     return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
 }
 
-// Of all instances together; beyond that, meshes that more than a few instances show are looked at once.
+// If all instances together have more vertices than this, meshes of more than `few_uses` instances are visited only
+// once.
 constexpr std::size_t most_vertices_looked_at = 200'000'000, few_uses = 64;
 
 std::vector<glm::vec3> corners_of(const Bounds& box)
@@ -124,7 +125,7 @@ glm::dvec3 better_origin(const Bounds& bounds)
     const double radius = 0.5 * glm::length(high - low);
     if (!(glm::length(middle) > far_away * radius))
         return glm::dvec3(0.0);
-    // In steps of about the scene's size: what was round stays round.
+    // A multiple of a power of two near the scene's size, so that round coordinates stay round numbers.
     const double step = radius > 0.0 ? std::exp2(std::ceil(std::log2(radius))) : 0.0;
     return step > 0.0 ? step * glm::round(middle / step) : middle;
 }

@@ -1,4 +1,4 @@
-// A scene as plain data: what is there, where, made of what, lit by what. Immutable once loaded.
+// A scene as plain data: meshes, instances, materials, images, cameras and lights. Immutable once loaded.
 // Right-handed, +Y up, metres. Colours are linear RGB with Rec. 709 primaries. Angles are radians.
 #pragma once
 
@@ -20,9 +20,9 @@
 
 namespace lambent::scene {
 
-/// Triangles, or points and lines, with one material. Per-vertex arrays have one entry a vertex, or none where marked
-/// optional. Corners are below positions.size(). Points and lines are one pixel wide in every picture
-/// (view/widened_scene.h), of a double-sided material; without normals it is unlit. [glTF 2.0, 3.9.6]
+/// Triangles, or points and lines, with one material. Per-vertex arrays have one entry per vertex; those marked
+/// optional may be empty. Vertex indices are below positions.size(). Points and lines are drawn one pixel wide
+/// (view/widened_scene.h); their material is double-sided, and unlit if the mesh has no normals. [glTF 2.0, 3.9.6]
 struct Mesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;    ///< unit length; optional for points and lines
@@ -30,7 +30,7 @@ struct Mesh {
     TexcoordSets texcoords;            ///< each optional
     std::vector<glm::vec4> colors;     ///< optional; linear RGBA, multiplies the base colour
     std::vector<glm::uvec3> triangles; ///< counter-clockwise seen from the front
-    std::vector<glm::uvec2> lines;     ///< from one corner to another
+    std::vector<glm::uvec2> lines;     ///< from one vertex to another
     std::vector<std::uint32_t> points;
     int material = 0; ///< index into Scene::materials
 };
@@ -47,10 +47,11 @@ struct Camera {
     std::string name;           ///< the node's, or the camera's own where the node has none
     glm::mat4 transform{1.0f};  ///< world from camera; rotation and translation only
     float vertical_fov = 0.0f;  ///< radians; 0 for an orthographic camera
-    float vertical_size = 0.0f; ///< metres seen from bottom to top, orthographic only
-    float aspect = 0.0f;        ///< width / height of what is to be seen at least; 0: nothing is said of it
+    float vertical_size = 0.0f; ///< metres from bottom to top of the view, orthographic only
+    float aspect = 0.0f;        ///< width / height of the view that every picture contains; 0: not given
     float near = 0.0f,
-          far = std::numeric_limits<float>::infinity(); ///< metres ahead between which things are seen
+          far =
+              std::numeric_limits<float>::infinity(); ///< clipping distances along the view direction, metres
 };
 
 enum class LightKind : std::uint8_t { directional, point, spot };
@@ -60,10 +61,10 @@ struct Light {
     LightKind kind = LightKind::point;
     glm::vec3 intensity{1.0f};              ///< lux (directional) or candela (point, spot), times colour
     glm::vec3 position{0.0f};               ///< point and spot
-    glm::vec3 direction{0.0f, -1.0f, 0.0f}; ///< the way the light travels, unit length; directional and spot
-    float range = std::numeric_limits<float>::infinity(); ///< metres; nothing is lit beyond
+    glm::vec3 direction{0.0f, -1.0f, 0.0f}; ///< in which the light travels, unit length; directional and spot
+    float range = std::numeric_limits<float>::infinity(); ///< metres; surfaces beyond are not lit
     float inner_cone = 0.0f;       ///< spot: full intensity within this angle from the axis
-    float outer_cone = 0.7853982f; ///< spot: none outside this angle
+    float outer_cone = 0.7853982f; ///< spot: no light outside this angle
 };
 
 struct Bounds {
@@ -73,13 +74,13 @@ struct Bounds {
 
 /// An animation of the scene's file.
 struct AnimationInfo {
-    std::string name;     ///< its own, else animation0, animation1, ... by its place in the file
+    std::string name;     ///< the file's, else animation0, animation1, ... by index
     double seconds = 0.0; ///< duration: the time of its last key; finite, not negative
 };
 
-/// All places are relative to `origin`: a scene that lies far from the world's own keeps its digits.
+/// All positions are relative to `origin`, so that scenes far from the world's origin keep their precision in floats.
 struct Scene {
-    glm::dvec3 origin{0.0}; ///< in the world, metres; 0 but for scenes that are far away
+    glm::dvec3 origin{0.0}; ///< in the world, metres; 0 except for scenes far from the world's origin
     std::vector<Mesh> meshes;
     std::vector<Instance> instances;
     std::vector<Material> materials;      ///< never empty
@@ -87,39 +88,40 @@ struct Scene {
     std::vector<Camera> cameras;
     std::vector<Light> lights;
     std::vector<AnimationInfo> animations;
-    std::optional<Bounds> rest_bounds; ///< of a scene at a moment of an animation: its bounds without
+    std::optional<Bounds> rest_bounds; ///< for a scene posed by an animation: its bounds at rest
 };
 
-/// Index into the scene's materials of what an instance of it shows: its own, else its mesh's.
+/// Index of an instance's material in Scene::materials: its own, else its mesh's.
 std::size_t material_of(const Scene& scene, const Instance& instance);
 
-/// Whether it holds points or lines.
+/// Whether the mesh, or any mesh of the scene, holds points or lines.
 bool has_lines(const Mesh& mesh);
 bool has_lines(const Scene& scene);
 
-/// Whether it shows anything.
+/// Whether the mesh has no triangles, points or lines.
 bool is_empty(const Mesh& mesh);
 
-/// Number of triangles drawn: instances counted each time, points and lines as two.
+/// Number of triangles drawn by all instances; a point or line counts as two.
 std::size_t triangle_count(const Scene& scene);
 
-/// How many points and lines are drawn: instances counted each time.
+/// Numbers of points and lines drawn by all instances.
 struct LineCount {
     std::size_t points = 0, lines = 0;
 };
 LineCount line_count(const Scene& scene);
 
-/// Smallest box around every instance, relative to the scene's origin; low > high for an empty scene. Where looking at every
-/// vertex of every instance would take seconds, meshes that are shown often count as their boxes.
+/// Smallest box around all instances, relative to the scene's origin; low > high for an empty scene. If the vertices
+/// of all instances are too many to visit, meshes with many instances are replaced by their boxes; the result may then
+/// be larger.
 Bounds bounds(const Scene& scene);
 
-/// Where the origin of a scene in this box should be, from where it is now: near its middle where that is further away than 64
-/// times half its diagonal, else where it is. Nearer, floats of 24 bits still place things to 2^-18 of the scene's size, less
-/// than a hundredth of a pixel.
+/// The offset by which to move the origin of a scene with these bounds: to near their centre if that is further away
+/// than 64 times half their diagonal, else 0. Up to that distance, floats of 24 bits resolve 2^-18 of the scene's
+/// size, less than a hundredth of a pixel.
 glm::dvec3 better_origin(const Bounds& bounds);
 
-/// The box that a camera frames: rest_bounds, if something is in it, so that pictures of one animation are seen from one
-/// place; else the scene's own.
+/// The box that an orbit camera frames: rest_bounds unless it is empty, so that the camera does not move with an
+/// animation; else the scene's bounds.
 Bounds framed_bounds(const Scene& scene);
 
 } // namespace lambent::scene

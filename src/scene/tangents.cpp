@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
-// The two ways a texture can lie on a surface, and how w names them.
+// The orientation of a texture on a triangle, and the tangent's w for it.
 enum Side : int { upright = 0, mirrored = 1, no_area = 2 };
 constexpr std::array<float, 2> w_of_side = {1.0f, -1.0f};
 
@@ -43,7 +43,7 @@ std::vector<glm::vec2> transformed(const std::vector<glm::vec2>& texcoords, cons
     return result;
 }
 
-// Numbers equal vertices alike: same position, normal and texture coordinates, bit for bit.
+// Finds vertices with the same position, normal and texture coordinates, bit for bit.
 class Welder {
 public:
     Welder(const Mesh& mesh, const std::vector<glm::vec2>& uvs)
@@ -60,7 +60,7 @@ public:
     }
 
 private:
-    // 0 and -0 are one place: adding 0 makes both 0.
+    // 0 and -0 are equal: adding 0 makes both 0.
     std::array<std::uint32_t, 8> key(std::uint32_t vertex) const
     {
         const glm::vec3 p = mesh_.positions[vertex] + 0.0f;
@@ -99,7 +99,7 @@ private:
 
 struct FaceFrame {
     Side side = no_area;
-    glm::vec3 along_u{0.0f}; // not normalised; its length has no meaning
+    glm::vec3 along_u{0.0f}; // the direction in which u grows, unit length
 };
 
 FaceFrame face_frame(const Mesh& mesh, const std::vector<glm::vec2>& uvs, glm::uvec3 triangle)
@@ -109,7 +109,7 @@ FaceFrame face_frame(const Mesh& mesh, const std::vector<glm::vec2>& uvs, glm::u
     const glm::dvec2 uv1 = glm::dvec2(uvs[triangle.y]) - glm::dvec2(uvs[triangle.x]);
     const glm::dvec2 uv2 = glm::dvec2(uvs[triangle.z]) - glm::dvec2(uvs[triangle.x]);
     const double area = uv1.x * uv2.y - uv2.x * uv1.y;
-    // The derivative of position by u, times the texture area without its sign.
+    // The derivative of position with respect to u, times the absolute area in the texture.
     const glm::dvec3 derivative = (edge1 * uv2.y - edge2 * uv1.y) * (area < 0.0 ? -1.0 : 1.0);
     const double length = glm::length(derivative);
     if (area == 0.0 || !(length > 0.0) || !std::isfinite(length) || !std::isfinite(area))
@@ -139,9 +139,9 @@ float projected_angle(const Mesh& mesh, glm::uvec3 triangle, int corner)
     return std::acos(std::clamp(glm::dot(left, right), -1.0f, 1.0f));
 }
 
-using Sums = std::array<std::vector<glm::vec3>, 2>; // by side, then by first of equal vertices
+using Sums = std::array<std::vector<glm::vec3>, 2>; // by side, then by the first of equal vertices
 
-// What the three corners of a triangle add to their vertices.
+// The contributions of a triangle's three corners to the tangents of their vertices.
 using CornerTangents = std::array<glm::vec3, 3>;
 
 CornerTangents corner_tangents(const Mesh& mesh, const FaceFrame& face, glm::uvec3 triangle)
@@ -154,7 +154,7 @@ CornerTangents corner_tangents(const Mesh& mesh, const FaceFrame& face, glm::uve
     return tangents;
 }
 
-// The sums are made one after the other: in parallel their order, and with it the last digits, would vary.
+// Adds serially: the order of a parallel sum, and with it the last digits, would vary.
 Sums sum_corners(const Mesh& mesh, const std::vector<FaceFrame>& faces,
                  const std::vector<std::uint32_t>& first)
 {
@@ -173,7 +173,7 @@ Sums sum_corners(const Mesh& mesh, const std::vector<FaceFrame>& faces,
     return sums;
 }
 
-// Which vertex holds which side: a vertex keeps the side that comes first, a copy takes the other.
+// Splits vertices that both sides use: a vertex keeps the side found first, a copy takes the other.
 class Splitter {
 public:
     explicit Splitter(Mesh& mesh)
@@ -217,7 +217,7 @@ private:
 
 glm::vec4 finish(glm::vec3 sum, glm::vec3 normal, Side side)
 {
-    // The sum lies in the plane up to rounding; projected again it is perpendicular to the last digits.
+    // The sum is perpendicular to the normal up to rounding; a second projection removes that error.
     const glm::vec3 tangent = unit_or_zero(project(unit_or_zero(sum), normal));
     return {tangent == glm::vec3(0.0f) ? any_perpendicular(normal) : tangent,
             w_of_side[static_cast<std::size_t>(side)]};

@@ -8,14 +8,14 @@
 
 namespace lambent::scene {
 
-/// The sets that a mesh has, TEXCOORD_n as number n; files may have many, materials read few.
+/// The sets of a mesh, TEXCOORD_n as number n. Numbers may be large and have gaps, so only existing sets are stored.
 class TexcoordSets {
 public:
     using Set = std::vector<glm::vec2>;
 
-    Set& operator[](int number) { return sets_[number]; } ///< made, empty, where it is not there
+    Set& operator[](int number) { return sets_[number]; } ///< adds an empty set if there is none
 
-    /// Empty where it is not there.
+    /// An empty set if there is none.
     const Set& operator[](int number) const
     {
         static const Set none;

@@ -1,4 +1,4 @@
-// Embree 3 or 4, whichever is installed: the calls that differ, and who releases what.
+// Embree 3 or 4, whichever is installed: wrappers of the calls that differ, and owning pointers.
 #pragma once
 
 #include <memory>

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t packet = 16;
 
-// Meshes into whose space only rays from less far than this, in metres, can be turned are not referred to.
+// A mesh is not instanced if only rays from nearer than this, in metres, could be transformed into its space.
 constexpr double least_reach = 1e9;
 
 RTCGeometry triangles(RTCDevice device, const scene::Mesh& mesh, const glm::mat4& transform)
@@ -38,21 +38,22 @@ RTCGeometry triangles(RTCDevice device, const scene::Mesh& mesh, const glm::mat4
     return geometry;
 }
 
-// Unit length, or zero. The normals of very large and very small triangles have squares that no float holds.
+// `v` normalised, or zero. Scaled first, since squared normals of very large and very small triangles exceed the range
+// of floats.
 glm::vec3 unit(const glm::vec3& v)
 {
     const float largest = std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z)));
     return largest > 0.0f ? glm::normalize(v / largest) : glm::vec3(0.0f);
 }
 
-// Whether all parts of a vector are at most `most`, which not a number is not.
+// Whether the absolute values of all components are at most `most`; false for NaN.
 bool within(const glm::vec3& v, float most)
 {
     return std::fabs(v.x) <= most && std::fabs(v.y) <= most && std::fabs(v.z) <= most;
 }
 
-// A ray of one lane of a packet. One that is off ends before it starts, and is a ray all the same: Embree looks at the
-// lanes that are off where it cuts a packet into several or has no packets of sixteen, and by their ends alone there.
+// Sets one lane of a packet. An inactive lane gets a valid ray that ends before it starts: where Embree splits a
+// packet, or has no packets of sixteen, it recognises inactive lanes by their ends only.
 void set_lane(RTCRay16& to, std::size_t lane, const Ray& ray, bool on)
 {
     to.org_x[lane] = ray.origin.x, to.org_y[lane] = ray.origin.y, to.org_z[lane] = ray.origin.z;
@@ -65,8 +66,8 @@ void set_lane(RTCRay16& to, std::size_t lane, const Ray& ray, bool on)
     to.flags[lane] = 0;
 }
 
-// How far from the origin rays may start that Embree can turn into the space of a mesh with this transform; 0 where that
-// is not far beyond the mesh itself, or where the determinant is not well within floats.
+// Largest coordinate of rays that Embree can transform into the space of a mesh with this transform; 0 if that is not
+// far beyond the mesh itself, or if the determinant is near the limits of floats.
 float reach_into(const glm::mat4& transform)
 {
     const double determinant = std::fabs(glm::determinant(glm::dmat3(transform)));
@@ -120,8 +121,8 @@ Visibility::Visibility(const scene::Scene& scene) : scene_(scene)
                     text("Embree cannot build the scene (error ", static_cast<int>(error), ")"));
 }
 
-// A mesh shown once lies in the world itself; one shown several times is built once and referred to, unless it is shown
-// so small or so far away that Embree could not turn rays into its space.
+// A mesh with one instance is stored in world space; a mesh with several is built once and instanced, except for
+// instances so small or so far away that Embree could not transform rays into their space.
 void Visibility::add_instance(std::uint32_t index, const std::vector<int>& uses)
 {
     const scene::Instance& instance = scene_.instances[index];
@@ -136,14 +137,14 @@ void Visibility::add_instance(std::uint32_t index, const std::vector<int>& uses)
     const float reach = reach_into(instance.transform);
     if (uses[static_cast<std::size_t>(instance.mesh)] > 1 && reach > 0.0f) {
         reach_ = std::min(reach_, reach);
-        // The normal comes in the mesh's space.
+        // Embree returns the normal in the mesh's space.
         normals_.push_back(glm::transpose(glm::inverse(linear)));
         geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE);
         rtcSetGeometryInstancedScene(geometry, mesh_scene(instance.mesh));
         rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, &instance.transform[0][0]);
         rtcCommitGeometry(geometry);
     } else {
-        // A mirroring transform turned the triangles' order round, but not what their front is. [glTF 2.0, 3.7.4]
+        // A mirroring transform reverses the winding of triangles, but not their front side. [glTF 2.0, 3.7.4]
         normals_.push_back(glm::mat3(side));
         geometry = triangles(device_.get(), mesh, instance.transform);
     }
@@ -165,14 +166,14 @@ RTCScene Visibility::mesh_scene(int mesh)
     return scene.get();
 }
 
-// Embree ends the program over rays that it does not take.
+// Embree aborts the program on other rays.
 bool Visibility::takes(const Ray& ray) const
 {
     return within(ray.origin, reach_) && within(ray.direction, reach_) && ray.near >= 0.0f &&
            ray.far >= ray.near;
 }
 
-// Sixteen rays, or those that are left, into a packet.
+// Loads sixteen rays, or those that are left, into a packet.
 void Visibility::load_packet(const Rays& rays, std::size_t first, RTCRayHit16& packet_rays, int* valid) const
 {
     for (std::size_t lane = 0; lane < packet; ++lane) {

@@ -1,4 +1,4 @@
-// What rays meet first, by Embree.
+// Nearest intersections of rays with a scene, by Embree.
 #pragma once
 
 #include "trace/embree.h"
@@ -20,7 +20,7 @@ struct Ray {
 /// Rays, sixteen at a time, one array per component. A ray starts at `near`, in multiples of its direction; all end at
 /// `far`.
 struct Rays {
-    /// Makes room for `count` rays, whose components are then undefined.
+    /// Resizes the arrays to `count` rays, whose components are then undefined.
     void resize(std::size_t count);
     std::size_t size() const { return near.size(); }
     Ray at(std::size_t index) const;
@@ -29,7 +29,8 @@ struct Rays {
     float far = std::numeric_limits<float>::infinity();
 };
 
-/// Where a ray ends. The point is origin + distance * direction; u and v weigh corners 1 and 2 of the triangle.
+/// The intersection of a ray with a triangle, at origin + distance * direction. u and v are the barycentric
+/// coordinates of the triangle's vertices 1 and 2.
 struct Hit {
     static constexpr std::uint32_t nothing = ~0u;
     float distance = 0.0f;
@@ -37,7 +38,7 @@ struct Hit {
     std::uint32_t instance = nothing; ///< index into Scene::instances
     std::uint32_t triangle = 0;       ///< index into its mesh's triangles
     glm::vec3 normal{0.0f};           ///< unit geometric normal in the world, of the counter-clockwise side
-    bool front = true;                ///< that side was met
+    bool front = true;                ///< whether the ray met that side
 
     bool found() const { return instance != nothing; }
 };
@@ -49,19 +50,19 @@ public:
     Visibility(const Visibility&) = delete;
     Visibility& operator=(const Visibility&) = delete;
 
-    /// The farthest from the origin that a ray may start, along any axis, and the longest direction: Embree ends the
-    /// program over more. Less far where a mesh is shown several times, very small. Rays from beyond, rays that start
-    /// behind their origin and rays with parts that are not numbers meet nothing.
+    /// Limit of the coordinates of a ray's origin and direction, beyond which Embree aborts the program. It is lower
+    /// in scenes with very small instances of a shared mesh. Rays beyond the limit, rays with a negative start and
+    /// rays with components that are not numbers meet nothing.
     static constexpr float furthest = 1.0e18f;
 
-    /// The nearest hit of each of the first rays.size() rays, into `hits`. Neighbours should be nearly parallel.
+    /// Writes the nearest hit of each ray to hits[0], hits[1], ... Neighbouring rays should be nearly parallel.
     void trace(const Rays& rays, Hit* hits) const;
 
-    /// The nearest hit of one ray, for rays that have no neighbours.
+    /// The nearest hit of one ray, for rays without nearly parallel neighbours.
     Hit nearest(const Ray& ray) const;
 
 private:
-    /// The hit of Embree's numbers: geometry, instance (either may be invalid) and the normal as Embree gives it.
+    /// A hit as Embree reports it: geometry and instance (either may be invalid), and the normal, not normalised.
     struct Found {
         unsigned geometry, instance, triangle;
         float distance, u, v;
@@ -76,8 +77,8 @@ private:
     const scene::Scene& scene_;
     EmbreeDevice device_; ///< outlives its scenes
     EmbreeScene world_;
-    std::vector<EmbreeScene> mesh_scenes_; ///< one per mesh that several instances show; else null
-    float reach_ = furthest;               ///< how far rays may start from the origin
+    std::vector<EmbreeScene> mesh_scenes_; ///< of each mesh that several instances share; null for others
+    float reach_ = furthest;               ///< largest coordinate of an origin or direction
     std::vector<glm::mat3> normals_;       ///< per instance: world from Embree's normal, up to its length
 };
 

@@ -7,7 +7,7 @@
 namespace lambent::view {
 namespace {
 
-// A little air around the scene.
+// The margin around the scene, as a factor of its extent in the picture.
 constexpr float frame_margin = 1.1f;
 
 // The nearest distance, along `camera.back` from the box's centre, at which all its corners are in the picture.

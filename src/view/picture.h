@@ -1,4 +1,4 @@
-// What a picture shows and how it is to be understood: everything that any way of making it has to agree on.
+// The description of a picture to draw, which all renderers and the path tracer share.
 #pragma once
 
 #include "scene/scene.h"
@@ -11,13 +11,13 @@
 
 namespace lambent::view {
 
-/// Which material model lights the surfaces: the report's, or glTF's metallic-roughness with GGX.
+/// The material model that shades surfaces: the report's Phong model, or glTF's metallic-roughness model with GGX.
 enum class Model { ggx, phong };
 
-/// What texel codes mean: exact sRGB, the report's power of 2.2, or the codes themselves (the report's comparison).
+/// The decoding of colour textures: exact sRGB, the report's power of 2.2, or none (for the report's comparison).
 enum class TexelTransfer { srgb, power_2_2, none };
 
-/// What is seen where there is no surface.
+/// What pixels without a surface show.
 struct Background {
     enum class Kind { environment, none, color, blurred };
     Kind kind = Kind::environment;
@@ -31,9 +31,11 @@ struct Picture {
     Camera camera;
     Model model = Model::ggx;
     TexelTransfer texel_transfer = TexelTransfer::srgb;
-    /// Perceptual, 0 to 1, of every surface, whatever its material and texture say. Exponents that materials have are kept.
+    /// Perceptual roughness, 0 to 1, of every surface in place of its material's and texture's. Phong exponents that
+    /// materials set are kept.
     std::optional<float> roughness_override;
-    bool energy_compensation = true;   ///< give back what single scattering loses on rough surfaces (ggx)
+    /// Whether to add the energy that single scattering loses on rough surfaces (ggx).
+    bool energy_compensation = true;
     float environment_rotation = 0.0f; ///< radians about +Y, counter-clockwise seen from above
     Background background;
     std::vector<scene::Light> lights; ///< besides the scene's own

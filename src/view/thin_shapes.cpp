@@ -12,7 +12,7 @@
 namespace lambent::view {
 namespace {
 
-// Pixels from the middle of a shape to its sides, and beyond the picture's border that are still drawn.
+// Half the width of a shape, and the margin around the picture in which shapes are still drawn, in pixels.
 constexpr double half_width = 0.5 + 1.0 / 256.0, clip_margin = 2.0;
 
 double largest(const glm::dvec3& v)
@@ -20,7 +20,7 @@ double largest(const glm::dvec3& v)
     return std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
 }
 
-// Where the width of a pixel is at least two steps of the floats that corners become.
+// The nearest distance at which a pixel is at least two float steps wide: vertices are stored as floats.
 double nearest_of(const glm::dvec3& origin, const glm::dvec3& dx, const glm::dvec3& dy)
 {
     return 0x1p-22 * largest(origin) / std::min(glm::length(dx), glm::length(dy)) + 1e-30;
@@ -28,7 +28,7 @@ double nearest_of(const glm::dvec3& origin, const glm::dvec3& dx, const glm::dve
 
 } // namespace
 
-// A line as it is seen, and what part of it, from one vertex (0) to the other (1).
+// A line in (t, x, y), and the part of it that is visible, from one vertex (0) to the other (1).
 struct ThinShapes::Line {
     glm::uvec2 vertices;
     glm::dvec3 from, to;
@@ -58,7 +58,8 @@ ThinShapes::ThinShapes(const RayMap& rays, int width, int height)
               (width + clip_margin) * w - x, y + clip_margin * w, (height + clip_margin) * w - y};
 }
 
-// Whether any of it is seen. [Liang and Barsky 1984, "A new concept and method for line clipping"]
+// Clips a line to the view volume; false if none of it is left. [Liang and Barsky 1984, "A new concept and method for
+// line clipping"]
 bool ThinShapes::clip(Line& line) const
 {
     for (const glm::dvec4& side : sides_) {
@@ -74,7 +75,7 @@ bool ThinShapes::clip(Line& line) const
     return line.first <= line.last;
 }
 
-// Adds the shapes of one mesh, one by one.
+// Builds the triangles for the points and lines of one mesh.
 class ThinShapes::Builder {
 public:
     Builder(const ThinShapes& shapes, const scene::Mesh& mesh, const glm::mat4& transform)
@@ -121,7 +122,8 @@ private:
         return glm::dvec2(seen.y, seen.z) / shapes_.share(seen);
     }
 
-    // `aside`: a quarter turn from the line's way in the picture, from right to down, in pixels.
+    // `aside`: half the width of the strip, in pixels: the line's direction in the picture turned by 90 degrees, from
+    // right to down.
     void add_strip(const Line& line, const glm::dvec2& aside)
     {
         const auto first = static_cast<std::uint32_t>(thin_.positions.size());
@@ -133,7 +135,7 @@ private:
                 thin_.positions.push_back(glm::vec3(shapes_.point(middle + glm::dvec3(0.0, off.x, off.y))));
                 add_attributes(line.vertices, static_cast<float>(part), side);
             }
-        // Counter-clockwise as the camera sees it: y counts down.
+        // Counter-clockwise for the camera, since y points down.
         thin_.triangles.emplace_back(first, first + 1, first + 3);
         thin_.triangles.emplace_back(first, first + 3, first + 2);
         if (glm::determinant(shapes_.rays_) < 0.0) // the picture is mirrored
@@ -168,7 +170,7 @@ private:
             thin_.normals.emplace_back(static_cast<double>(side) * normal);
         }
         if (!mesh_.tangents.empty()) {
-            // What is seen from behind has its mapped normal turned round.
+            // Seen from behind, all axes of the tangent frame are reversed, and with them the mapped normal.
             const glm::vec4 tangent = side * between(mesh_.tangents);
             thin_.tangents.emplace_back(glm::dmat3(transform_) * glm::dvec3(tangent),
                                         handedness_ * side * mesh_.tangents[vertices.x].w);

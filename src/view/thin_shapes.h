@@ -1,4 +1,4 @@
-// Points and lines as a picture shows them: triangles one pixel wide.
+// Triangles one pixel wide for points and lines.
 #pragma once
 
 #include "scene/scene.h"
@@ -13,38 +13,37 @@
 
 namespace lambent::view {
 
-/// Turns points into squares and lines into strips one pixel wide, parallel to the picture, with their fronts towards its
-/// camera. What is not in the picture is left out.
+/// Turns points into squares and lines into strips one pixel wide, parallel to the image plane, with their front sides
+/// towards the camera. Parts outside the picture are left out.
 ///
-/// Each is wider than a pixel by 1/256 on both sides: however numbers are rounded, a line between two rows of pixels is
-/// seen by rays through the middles of both, not of none.
+/// Each is wider than a pixel by 1/256 on both sides, so that in spite of rounding a line between two rows of pixels
+/// is hit by the rays through the centres of both rows, and not by none.
 class ThinShapes {
 public:
-    /// Of a picture of that size in pixels.
+    /// For a picture of this size in pixels.
     ThinShapes(const RayMap& rays, int width, int height);
 
-    /// The points and lines of a mesh that `transform` places in the world, in the world. Normals, where the mesh has none,
-    /// face the camera; those of a shape that is seen from behind are turned round.
+    /// Triangles, in world space, for the points and lines of a mesh whose world from mesh is `transform`. Where the
+    /// mesh has no normals, they face the camera; normals of a shape that is seen from behind are reversed.
     scene::Mesh of(const scene::Mesh& mesh, const glm::mat4& transform) const;
 
 private:
     struct Line;
     class Builder;
 
-    /// (t, x, y) of a point P: the ray through the place (x, y) reaches it at the distance t. x and y are multiplied by t
-    /// in a perspective, so that all three are linear in P.
+    /// (t, x, y) of a point P: the ray through the position (x, y) in the picture reaches P at distance t. In a
+    /// perspective, x and y are multiplied by t, so that all three are linear in P.
     glm::dvec3 seen(const glm::dvec3& point) const { return inverse_ * (point - origin_); }
     glm::dvec3 point(const glm::dvec3& seen) const { return origin_ + rays_ * seen; }
-    double share(const glm::dvec3& seen) const
-    {
-        return perspective_ ? seen.x : 1.0;
-    } ///< of x and y in those
+    /// The factor of x and y in (t, x, y).
+    double share(const glm::dvec3& seen) const { return perspective_ ? seen.x : 1.0; }
     bool clip(Line& line) const;
 
     glm::dvec3 origin_;
-    glm::dmat3 rays_, inverse_{1.0};    ///< columns: direction, and what a step to the right and down adds
+    /// Columns: the ray's direction, and its change (orthographic: of its origin) per pixel to the right and down.
+    glm::dmat3 rays_, inverse_{1.0};
     glm::dvec3 facing_{0.0};            ///< towards the camera, unit length
-    std::array<glm::dvec4, 5> sides_{}; ///< of what is seen, over (t, x, y, 1): 0 or more inside
+    std::array<glm::dvec4, 5> sides_{}; ///< planes of the view volume over (t, x, y, 1): 0 or more inside
     bool perspective_, usable_;
 };
 

@@ -1,4 +1,4 @@
-// A scene whose points and lines are triangles, for pictures from one camera after the other.
+// A scene whose points and lines are replaced by triangles that face the camera.
 #pragma once
 
 #include "scene/scene.h"
@@ -10,25 +10,26 @@
 
 namespace lambent::view {
 
-/// What is made of a scene's points and lines is seen by the camera alone: it stands nowhere but in its picture, so it
-/// casts no shadow and is in no mirror.
+/// The triangles made of points and lines depend on the camera and are visible to it only: they cast no shadows and
+/// are not seen in reflections.
 class WidenedScene {
 public:
-    /// Whether what the scene has besides points and lines is there, too.
+    /// Whether meshes without points and lines are kept.
     enum class Others { shown, left_out };
 
-    /// Without images, else with instances and materials in the number and order of the scene's; so are its meshes, without
-    /// their points and lines, which follow: a mesh in the world for each instance that shows some. `scene` must outlive it.
+    /// Copies the scene without its images. Instances, materials and meshes keep their number and order, but meshes
+    /// lose their points and lines: for these one mesh in world space follows per instance that shows some. `scene`
+    /// must outlive this.
     WidenedScene(const scene::Scene& scene, Others others);
 
-    /// Makes them face the picture's camera. Returns whether anything is changed by that.
+    /// Makes the triangles face the picture's camera. Returns whether that changes anything.
     bool face(const Picture& picture);
 
-    /// As of the last face(); before, without points and lines.
+    /// The scene as of the last face(); before the first, without points and lines.
     const scene::Scene& scene() const { return widened_; }
 
 private:
-    /// What the shapes depend on.
+    /// The view that the triangles depend on.
     struct Sight {
         RayMap rays;
         int width = 0, height = 0;
@@ -36,7 +37,7 @@ private:
     };
     const scene::Scene& source_;
     scene::Scene widened_;
-    std::vector<std::size_t> instances_; ///< that show them
+    std::vector<std::size_t> instances_; ///< that show points or lines
     std::optional<Sight> sight_;
 };
 

@@ -176,7 +176,7 @@ TEST(Broken, GltfOneIsNamed)
         write_bytes(file, text);
         const Outcome outcome = lambent({"info", file});
         EXPECT_EQ(outcome.code, 3);
-        EXPECT_EQ(outcome.error, "lambent: error: " + file + ": glTF 1.0 is not read, only 2.0\n");
+        EXPECT_EQ(outcome.error, "lambent: error: " + file + ": glTF 1.0 is not supported, only 2.0\n");
     }
 }
 

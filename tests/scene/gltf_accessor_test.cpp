@@ -222,7 +222,7 @@ TEST(GltfAccessor, SparsePartsAreChecked)
               "test.gltf: accessor 0, sparse indices: 3 elements of 2 bytes "
               "do not fit in bufferView 1 (4 bytes)");
     EXPECT_EQ(broken([](json& s) { s["indices"]["componentType"] = f32; }),
-              "test.gltf: accessor 0: sparse indices of componentType 5126");
+              "test.gltf: accessor 0: sparse indices have componentType 5126, which is not allowed");
     EXPECT_EQ(
         broken([](json& s) { s["values"]["byteOffset"] = 4; }),
         "test.gltf: accessor 0, sparse values: 2 elements of 12 bytes do not fit in bufferView 2 (24 bytes)");
@@ -254,10 +254,12 @@ TEST(GltfAccessor, OneThatDoesNotFitIsRefused)
     EXPECT_EQ(broken("count", 1537228672809129303), // times 12 is 20 in 64 bits
               "test.gltf: accessor 0: count is not a whole number from 0 to 9007199254740992");
     EXPECT_EQ(broken("bufferView", 1), "test.gltf: accessor 0: bufferView 1 does not exist");
-    EXPECT_EQ(broken("componentType", 5124), "test.gltf: accessor 0: componentType 5124 is not one of glTF");
-    EXPECT_EQ(broken("componentType", 5130), "test.gltf: accessor 0: componentType 5130 is not one of glTF");
+    EXPECT_EQ(broken("componentType", 5124),
+              "test.gltf: accessor 0: componentType 5124 is not defined by glTF");
+    EXPECT_EQ(broken("componentType", 5130),
+              "test.gltf: accessor 0: componentType 5130 is not defined by glTF");
     EXPECT_EQ(broken("type", "VEC2"), "test.gltf: mesh 0, primitive 0, POSITION: accessor 0 is not VEC3");
-    EXPECT_EQ(broken("type", "VEC5"), "test.gltf: accessor 0: type \"VEC5\" is not one of glTF");
+    EXPECT_EQ(broken("type", "VEC5"), "test.gltf: accessor 0: type \"VEC5\" is not defined by glTF");
 
     GltfBuilder view = triangle();
     view.document["bufferViews"][0]["byteLength"] = 37;

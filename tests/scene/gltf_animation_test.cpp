@@ -341,11 +341,12 @@ TEST(GltfAnimation, WhatIsNotKnownIsLeftOut)
         {{"input", add_times(builder, {0})}, {"output", builder.add_vec3({9, 9, 9})}});
     document["animations"][0]["channels"].push_back({{"sampler", 1}, {"target", known["target"]}});
     const Opened opened(builder);
-    EXPECT_EQ(opened.warnings,
-              (Warnings{"test.gltf: 2 animation channels of properties that are not known: left out",
-                        "test.gltf: 1 animation channels of nodes with a matrix: left out",
-                        "test.gltf: 1 animation channels of weights without morph targets: left out",
-                        "test.gltf: 1 animation channels of what another channel moves: left out"}));
+    EXPECT_EQ(
+        opened.warnings,
+        (Warnings{"test.gltf: 2 animation channels of unknown properties: left out",
+                  "test.gltf: 1 animation channels of nodes with a matrix: left out",
+                  "test.gltf: 1 animation channels of weights without morph targets: left out",
+                  "test.gltf: 1 animation channels of properties that another channel animates: left out"}));
     expect_near(place(opened.at(3.0), 0), {3, 0, 0});
     expect_near(place(opened.at(3.0), 1), {7, 0, 0});
 }
@@ -360,22 +361,23 @@ TEST(GltfAnimation, BrokenChannelsAreLeftOut)
     const auto with_times = [&](const std::vector<float>& times) {
         return broken([&](GltfBuilder& b, json& a) { a["samplers"][0]["input"] = add_times(b, times); });
     };
-    EXPECT_EQ(with_times({3, 1}), "test.gltf: animation 0, sampler 0: the time of key 1, 1 s, is before the "
-                                  "one before: the channel is left out");
+    EXPECT_EQ(with_times({3, 1}), "test.gltf: animation 0, sampler 0: the time of key 1, 1 s, is before "
+                                  "that of the key before: the channel is left out");
     EXPECT_EQ(with_times({0, std::nanf("")}), "test.gltf: animation 0, sampler 0: the time of key 1 is not "
                                               "within 1e+09 s: the channel is left out");
     EXPECT_EQ(with_times({0, infinite}), "test.gltf: animation 0, sampler 0: the time of key 1 is not within "
                                          "1e+09 s: the channel is left out");
     EXPECT_EQ(
         with_times({0, 1, 2}),
-        "test.gltf: animation 0, sampler 0: 2 values for 3 keys, not 1 for each: the channel is left out");
+        "test.gltf: animation 0, sampler 0: 2 values for 3 keys, not 1 per key: the channel is left out");
     EXPECT_EQ(with_times({}), "test.gltf: animation 0, sampler 0: no keys: the channel is left out");
     EXPECT_EQ(
         broken([](GltfBuilder&, json& a) { a["samplers"][0]["interpolation"] = "CUBICSPLINE"; }),
-        "test.gltf: animation 0, sampler 0: 2 values for 2 keys, not 3 for each: the channel is left out");
-    EXPECT_EQ(broken([](GltfBuilder&, json& a) { a["samplers"][0]["interpolation"] = "EASE"; }),
-              "test.gltf: animation 0, sampler 0: interpolation \"EASE\" is not one of glTF: the channel is "
-              "left out");
+        "test.gltf: animation 0, sampler 0: 2 values for 2 keys, not 3 per key: the channel is left out");
+    EXPECT_EQ(
+        broken([](GltfBuilder&, json& a) { a["samplers"][0]["interpolation"] = "EASE"; }),
+        "test.gltf: animation 0, sampler 0: interpolation \"EASE\" is not defined by glTF: the channel is "
+        "left out");
     EXPECT_EQ(
         broken([](GltfBuilder&, json& a) { a["samplers"][0]["output"] = 99; }),
         "test.gltf: animation 0, sampler 0, output: accessor 99 does not exist: the channel is left out");
@@ -401,8 +403,8 @@ TEST(GltfAnimation, TwoKeysAtOneTimeAreAJump)
             builder.add_vec3({0, 0, 0, 1, 0, 0, 5, 0, 0, 6, 0, 0}));
     const Opened opened(builder);
     EXPECT_EQ(opened.warnings,
-              Warnings{"test.gltf: animation 0, sampler 0: 1 keys are at the same time as the "
-                       "one before: taken as jumps"});
+              Warnings{"test.gltf: animation 0, sampler 0: 1 keys have the time of the key before: "
+                       "read as jumps"});
     expect_near(place(opened.at(0.5), 0), {0.5f, 0, 0});
     expect_near(place(opened.at(1.0), 0), {5, 0, 0});
     expect_near(place(opened.at(1.5), 0), {5.5f, 0, 0});
@@ -436,18 +438,18 @@ TEST(GltfAnimation, ChannelsOfBrokenValuesAreLeftOut)
                    [](GltfBuilder& b) {
                        return b.add<std::int8_t>("VEC3", i8, {1, 1, 1, 1, 1, 1}, true);
                    }),
-              "test.gltf: animation 0, sampler 0, output: accessor 2 has componentType 5120: the channel is "
-              "left out");
+              "test.gltf: animation 0, sampler 0, output: accessor 2 has componentType 5120, which is not "
+              "allowed: the channel is left out");
     GltfBuilder builder = morphing_triangles();
     builder.document["animations"][0]["samplers"][0]["output"] = builder.add<float>("SCALAR", f32, {1, 0, 3});
     EXPECT_EQ(
         complaint(builder),
-        "test.gltf: animation 0, sampler 0: 3 values for 2 keys, not 2 for each: the channel is left out");
+        "test.gltf: animation 0, sampler 0: 3 values for 2 keys, not 2 per key: the channel is left out");
     // Times that are no floats.
     builder = moving_triangle();
     builder.document["animations"][0]["samplers"][0]["input"] = builder.add_indices({0, 1});
     EXPECT_EQ(complaint(builder), "test.gltf: animation 0, sampler 0, input: accessor 3 has componentType "
-                                  "5123: the channel is left out");
+                                  "5123, which is not allowed: the channel is left out");
 }
 
 TEST(GltfAnimation, MoreThanIsThereIsLeftOut)

@@ -61,7 +61,7 @@ TEST(GltfContainer, VersionAndLengthsAreChecked)
 {
     Bytes version = triangle().glb();
     set_u32(version, 4, 1);
-    EXPECT_EQ(refusal(version), "test.gltf: glTF 1.0 is not read, only 2.0");
+    EXPECT_EQ(refusal(version), "test.gltf: glTF 1.0 is not supported, only 2.0");
 
     Bytes longer = triangle().glb();
     set_u32(longer, 8, static_cast<std::uint32_t>(longer.size() + 1));
@@ -117,9 +117,9 @@ TEST(GltfJson, VersionsOtherThanTwoAreRefused)
     EXPECT_EQ(refusal(to_bytes("{}")), "test.gltf: asset is missing");
     EXPECT_EQ(refusal(to_bytes(R"({"asset":{}})")), "test.gltf: asset: version is missing");
     EXPECT_EQ(refusal(to_bytes(R"({"asset":{"version":"1.0"}})")),
-              "test.gltf: glTF 1.0 is not read, only 2.0");
+              "test.gltf: glTF 1.0 is not supported, only 2.0");
     EXPECT_EQ(refusal(to_bytes(R"({"asset":{"version":"2.1","minVersion":"2.1"}})")),
-              "test.gltf: needs glTF 2.1, only 2.0 is read");
+              "test.gltf: requires glTF 2.1, only 2.0 is supported");
     EXPECT_EQ(refusal(to_bytes(R"({"asset":{"version":"2.1"}})")), "");
 }
 
@@ -191,7 +191,7 @@ TEST(GltfExtensions, RequiredOnesThatAreNotSupportedAreAllNamed)
     builder.document["extensionsRequired"] = {"EXT_meshopt_compression", "KHR_mesh_quantization",
                                               "VENDOR_\nodd"};
     EXPECT_EQ(refusal(builder),
-              "test.gltf: needs extensions that are not supported: EXT_meshopt_compression, VENDOR_?odd");
+              "test.gltf: requires extensions that are not supported: EXT_meshopt_compression, VENDOR_?odd");
 }
 
 TEST(GltfExtensions, UsedOnesThatAreNotSupportedAreWarnedOfOnce)
@@ -208,9 +208,9 @@ TEST(GltfBuffers, ABufferShorterThanItSaysIsUsedAsFarAsItGoes)
     GltfBuilder builder = triangle();
     builder.document["buffers"] = {{{"byteLength", 40}}};
     EXPECT_EQ(complaint(builder.glb()),
-              "test.gltf: buffer 0: 40 bytes declared, 36 are there: used as far as they go");
+              "test.gltf: buffer 0: 40 bytes declared, only 36 present: these are used");
     builder.document["buffers"] = {{{"byteLength", 36}, {"uri", "data:;base64,AAAA"}}};
-    EXPECT_EQ(refusal(builder.gltf()), "test.gltf: buffer 0: 36 bytes declared, 3 are there");
+    EXPECT_EQ(refusal(builder.gltf()), "test.gltf: buffer 0: 36 bytes declared, only 3 present");
 }
 
 TEST(GltfBuffers, ABufferWithoutBytesIsRefusedWhereItIsUsed)

@@ -204,7 +204,7 @@ TEST(GltfSkin, BrokenSkinsAreLeftOut)
     EXPECT_EQ(broken([](GltfBuilder& b) { b.document["nodes"][0]["skin"] = 3; }),
               "test.gltf: skin 3 does not exist: drawn without the skin");
     EXPECT_EQ(broken([](GltfBuilder& b) { b.document["skins"][0]["joints"] = {1}; }),
-              "test.gltf: mesh 0, primitive 0: joint 1 is past the skin's 1: drawn without the skin");
+              "test.gltf: mesh 0, primitive 0: joint 1 is past the skin's 1 joints: drawn without the skin");
     EXPECT_EQ(broken([](GltfBuilder& b) {
                   b.document["skins"][0]["joints"] = {1, 77};
               }),
@@ -222,8 +222,8 @@ TEST(GltfSkin, BrokenSkinsAreLeftOut)
                   b.document["meshes"][0]["primitives"][0]["attributes"]["JOINTS_0"] =
                       b.add_vec4(std::vector<float>(12, 0.0f));
               }),
-              "test.gltf: mesh 0, primitive 0, JOINTS_0: accessor 3 has componentType 5126: drawn without "
-              "the skin");
+              "test.gltf: mesh 0, primitive 0, JOINTS_0: accessor 3 has componentType 5126, which is not "
+              "allowed: drawn without the skin");
 }
 
 } // namespace

@@ -162,7 +162,7 @@ TEST(GltfHostile, TooManyBrokenElementsAreRefused)
         text += ",7";
     EXPECT_EQ(refusal(to_bytes(text + "]}")), "test.gltf: accessor 0: not an object");
     EXPECT_EQ(refusal(to_bytes(text + ",7]}")),
-              "test.gltf: accessor 10000: not an object (as are more than 10000 elements)");
+              "test.gltf: accessor 10000: not an object (and more than 10000 elements are broken)");
 }
 
 TEST(GltfHostile, MoreStructsThanTheTextCanMeanAreRefused)

@@ -149,8 +149,8 @@ TEST(GltfImage, BrokenPicturesAreNamedAndLeftOut)
     const GltfBuilder no_object = textured([](GltfBuilder&) { return json(7); });
     EXPECT_EQ(complaint_of(no_object), "test.gltf: image 0: not an object: left out");
     const GltfBuilder outside = textured([](GltfBuilder&) { return json{{"uri", "../a.png"}}; });
-    EXPECT_EQ(complaint_of(outside),
-              "test.gltf: image 0: \"../a.png\" is outside the file: the texture is left out");
+    EXPECT_EQ(complaint_of(outside), "test.gltf: image 0: \"../a.png\" is an external file; only embedded "
+                                     "data is read: the texture is left out");
 }
 
 TEST(GltfImage, OtherImagesKeepTheirPlacesWhenOneIsLeftOut)
@@ -198,8 +198,9 @@ TEST(GltfImage, MorePixelsThanReasonableAreLeftOutBeforeTheyAreDecoded)
     material["emissiveTexture"] = {{"index", 4}};
     Warnings warnings;
     EXPECT_TRUE(load(builder, &warnings).images.empty());
-    EXPECT_TRUE(warned_once(warnings, "image 4: 268435456 pixels, with those before it more than 1073741824: "
-                                      "the texture is left out"));
+    EXPECT_TRUE(warned_once(
+        warnings, "image 4: 268435456 pixels, together with the images before it more than 1073741824: "
+                  "the texture is left out"));
     EXPECT_TRUE(warned_once(warnings, "image 0: a file of ")) << "cannot hold its pixels";
     EXPECT_EQ(warnings.size(), 2u) << "the first four in one line";
 }

@@ -109,7 +109,8 @@ TEST(GltfInstancing, BrokenPartsAreNamedAndLeftOut)
     const Scene scene = load(builder, &warnings);
     ASSERT_EQ(scene.instances.size(), 1u);
     EXPECT_EQ(scene.instances[0].transform[3].x, 5.0f);
-    EXPECT_TRUE(warned_once(warnings, "4 of the nodes' own instances are flat, not finite or out of reach"));
+    EXPECT_TRUE(
+        warned_once(warnings, "4 instances of EXT_mesh_gpu_instancing are flat, not finite or too far away"));
 
     attributes_of(builder) = json::object();
     warnings.clear();

@@ -70,7 +70,7 @@ TEST(GltfLines, RestartsEndThem)
     EXPECT_EQ(load(with(3)).meshes.at(0).lines, (Lines{{0, 1}, {1, 2}, {3, 4}, {4, 0}}));
     for (const int mode : {0, 1, 2, 3})
         EXPECT_EQ(complaint(with(mode)),
-                  "test.gltf: 2 indices are the largest number of their type, which is no vertex: "
+                  "test.gltf: 2 indices are the largest of their type, which restarts the primitive: "
                   "triangles and lines end there");
 }
 
@@ -223,7 +223,7 @@ TEST(GltfLines, AreNotRepeatedWithoutEnd)
     Warnings warnings;
     const Scene scene = load(builder, &warnings);
     EXPECT_EQ(scene.instances.size(), 5u);
-    EXPECT_TRUE(warned_once(warnings, "1 instances of points and lines, which are more than 4000000"));
+    EXPECT_TRUE(warned_once(warnings, "1 instances of points and lines beyond the limit of 4000000"));
 }
 
 } // namespace

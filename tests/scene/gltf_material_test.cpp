@@ -252,7 +252,7 @@ TEST(GltfMaterial, TexturesWithoutTheirCoordinatesAreWarnedOf)
     builder.document["meshes"][0]["primitives"][0]["attributes"].erase("TEXCOORD_1");
     Warnings warnings;
     EXPECT_EQ(read(builder, &warnings).emissive_texture.image, 0);
-    EXPECT_TRUE(warned_once(warnings, "1 primitives have textures but not the texture coordinates"));
+    EXPECT_TRUE(warned_once(warnings, "1 primitives have textures but not their texture coordinates"));
 }
 
 TEST(GltfMaterial, WhatDoesNotExistIsNamedAndLeftOut)
@@ -269,23 +269,23 @@ TEST(GltfMaterial, WhatDoesNotExistIsNamedAndLeftOut)
     EXPECT_EQ(broken([](json& d) { d["textures"][0]["source"] = 1; }),
               "test.gltf: texture 0: image 1 does not exist: the texture is left out");
     EXPECT_EQ(broken([](json& d) { d["textures"][0]["sampler"] = 0; }),
-              "test.gltf: material 0: sampler 0 does not exist: repeating and smooth");
+              "test.gltf: material 0: sampler 0 does not exist: the default sampler is used");
     EXPECT_EQ(broken([](json& d) { d["images"][0]["bufferView"] = 55; }),
               "test.gltf: image 0: bufferView 55 does not exist: the texture is left out");
     EXPECT_EQ(broken([](json& d) { d["images"][0] = json::object(); }),
               "test.gltf: image 0: needs either a uri or a bufferView: the texture is left out");
     EXPECT_EQ(broken([](json& d) { d["materials"][0]["alphaMode"] = "GLASS"; }),
-              "test.gltf: material 0: alphaMode \"GLASS\" is not one of glTF: OPAQUE is used");
+              "test.gltf: material 0: alphaMode \"GLASS\" is not defined by glTF: OPAQUE is used");
     EXPECT_EQ(broken([](json& d) {
                   d["textures"][0]["sampler"] = 0;
                   d["samplers"] = {{{"wrapS", 1}}};
               }),
-              "test.gltf: sampler 0: wrap mode 1 is not one of glTF: it repeats");
+              "test.gltf: sampler 0: wrap mode 1 is not defined by glTF: repeat is used");
     EXPECT_EQ(broken([](json& d) {
                   d["textures"][0]["sampler"] = 0;
                   d["samplers"] = {{{"magFilter", 9987}}};
               }),
-              "test.gltf: sampler 0: magFilter 9987 is not one of glTF: it is smooth");
+              "test.gltf: sampler 0: magFilter 9987 is not defined by glTF: linear is used");
 }
 
 TEST(GltfMaterial, OnlyThoseDrawnAreKept)

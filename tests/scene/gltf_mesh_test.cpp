@@ -75,16 +75,18 @@ TEST(GltfMesh, IndicesMustStayBelowTheVertices)
                                       return b.add_indices({0, 1, 5});
                                   })),
               "test.gltf: mesh 0, primitive 0: index 5 is past its 5 vertices");
-    EXPECT_EQ(refusal(five_points(4,
-                                  [](GltfBuilder& b) {
-                                      return b.add<float>("SCALAR", f32, {0, 1, 2});
-                                  })),
-              "test.gltf: mesh 0, primitive 0, indices: accessor 2 has componentType 5126");
-    EXPECT_EQ(refusal(five_points(4,
-                                  [](GltfBuilder& b) {
-                                      return b.add<std::int8_t>("SCALAR", i8, {0, 1, 2});
-                                  })),
-              "test.gltf: mesh 0, primitive 0, indices: accessor 2 has componentType 5120");
+    EXPECT_EQ(
+        refusal(five_points(4,
+                            [](GltfBuilder& b) {
+                                return b.add<float>("SCALAR", f32, {0, 1, 2});
+                            })),
+        "test.gltf: mesh 0, primitive 0, indices: accessor 2 has componentType 5126, which is not allowed");
+    EXPECT_EQ(
+        refusal(five_points(4,
+                            [](GltfBuilder& b) {
+                                return b.add<std::int8_t>("SCALAR", i8, {0, 1, 2});
+                            })),
+        "test.gltf: mesh 0, primitive 0, indices: accessor 2 has componentType 5120, which is not allowed");
     GltfBuilder missing = five_points(4);
     missing.document["meshes"][0]["primitives"][0]["indices"] = 12;
     EXPECT_NE(refusal(missing), "");
@@ -104,7 +106,7 @@ TEST(GltfMesh, IndicesAfterTheLastTriangleAreWarnedOf)
 
 TEST(GltfMesh, AnUnknownModeCostsThePrimitive)
 {
-    EXPECT_EQ(refusal(five_points(7)), "test.gltf: mesh 0, primitive 0: mode 7 is not one of glTF");
+    EXPECT_EQ(refusal(five_points(7)), "test.gltf: mesh 0, primitive 0: mode 7 is not defined by glTF");
     GltfBuilder builder = five_points(7);
     json& primitives = builder.document["meshes"][0]["primitives"];
     primitives.push_back(primitives[0]);
@@ -112,7 +114,8 @@ TEST(GltfMesh, AnUnknownModeCostsThePrimitive)
     Warnings warnings;
     EXPECT_EQ(load(builder, &warnings).meshes.size(), 1u);
     EXPECT_TRUE(warned_once(
-        warnings, "test.gltf: mesh 0, primitive 0: mode 7 is not one of glTF: the primitive is left out"));
+        warnings,
+        "test.gltf: mesh 0, primitive 0: mode 7 is not defined by glTF: the primitive is left out"));
 }
 
 TEST(GltfMesh, APrimitiveWithoutPositionsIsLeftOut)
@@ -186,7 +189,7 @@ TEST(GltfMesh, RestartsEndTrianglesStripsAndFans)
     });
     EXPECT_EQ(load(strip).meshes.at(0).triangles, (Triangles{{0, 1, 2}, {2, 3, 4}}));
     EXPECT_EQ(complaint(strip),
-              "test.gltf: 1 indices are the largest number of their type, which is no vertex: "
+              "test.gltf: 1 indices are the largest of their type, which restarts the primitive: "
               "triangles and lines end there");
     const GltfBuilder fan = with(6, [](GltfBuilder& b) {
         return b.add<std::uint32_t>("SCALAR", u32, {0, 1, 2, 4294967295u, 4294967295u, 1, 2, 3});
@@ -218,7 +221,7 @@ TEST(GltfMesh, AFileOfRestartsAloneIsNoError)
                            {"indices", builder.add<std::uint8_t>("SCALAR", u8, {0, 1, 255})}});
     Warnings warnings;
     EXPECT_TRUE(load(builder, &warnings).instances.empty());
-    EXPECT_TRUE(warned_once(warnings, "1 indices are the largest number of their type"));
+    EXPECT_TRUE(warned_once(warnings, "1 indices are the largest of their type"));
     EXPECT_TRUE(warned_once(warnings, "nothing to draw"));
 }
 
@@ -350,7 +353,7 @@ TEST(GltfMesh, AnySetOfTextureCoordinatesThatAMaterialAsksForIsRead)
     EXPECT_EQ(scene.materials.at(0).occlusion_texture.texcoord, 7);
     primitive["attributes"].erase("TEXCOORD_7");
     load(builder, &warnings);
-    EXPECT_TRUE(warned_once(warnings, "1 primitives have textures but not the texture coordinates"));
+    EXPECT_TRUE(warned_once(warnings, "1 primitives have textures but not their texture coordinates"));
 }
 
 TEST(GltfMesh, MissingNormalsBecomeFlat)
@@ -388,8 +391,8 @@ TEST(GltfMesh, NormalsAreBroughtToUnitLengthAndTangentsWithThem)
     EXPECT_NEAR(mesh.tangents[1].y, 0.8f, 1e-6f);
     EXPECT_EQ(mesh.tangents[1].w, -1.0f);
     EXPECT_NEAR(glm::length(glm::vec3(mesh.tangents[2])), 1.0f, 1e-6f);
-    EXPECT_TRUE(warned_once(warnings, "1 normals of no length rebuilt"));
-    EXPECT_TRUE(warned_once(warnings, "1 tangents of no use replaced"));
+    EXPECT_TRUE(warned_once(warnings, "1 normals without length rebuilt"));
+    EXPECT_TRUE(warned_once(warnings, "1 unusable tangents replaced"));
 }
 
 TEST(GltfMesh, TangentsWithoutNormalsAreIgnored)
@@ -439,8 +442,8 @@ TEST(GltfMesh, GeometryOnlyInDracoIsRefused)
     builder.document["meshes"][0]["primitives"][0]["extensions"] = {
         {"KHR_draco_mesh_compression", {{"bufferView", 0}}}};
     EXPECT_EQ(refusal(builder),
-              "test.gltf: mesh 0, primitive 0: its geometry is only there as KHR_draco_mesh_compression, "
-              "which is not read");
+              "test.gltf: mesh 0, primitive 0: its geometry is compressed by KHR_draco_mesh_compression, "
+              "which is not supported");
 }
 
 TEST(GltfMesh, EmptyThingsAreNoHarm)

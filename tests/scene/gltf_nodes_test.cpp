@@ -105,9 +105,9 @@ TEST(GltfNodes, LinksThatMakeNoForestAreLeftOut)
     EXPECT_EQ(complaint_of(json::array({{{"mesh", 0}, {"children", {5}}}}), {0}, 1),
               "test.gltf: node 0: child 5 does not exist: left out");
     EXPECT_EQ(complaint_of({{{"children", {2}}}, {{"children", {2}}}, shown}, {0, 1}, 1),
-              "test.gltf: node 2 has two parents, 0 and 1: the first counts");
+              "test.gltf: node 2 has two parents, 0 and 1: the first one is kept");
     EXPECT_EQ(complaint_of({{{"children", {1, 1}}}, shown}, {0}, 1),
-              "test.gltf: node 1 has two parents, 0 and 0: the first counts");
+              "test.gltf: node 1 has two parents, 0 and 0: the first one is kept");
     EXPECT_EQ(complaint_of(json::array({{{"mesh", 0}, {"children", {0}}}}), {0}, 1),
               "test.gltf: node 0 is its own ancestor: cut off from its parent");
     EXPECT_EQ(complaint_of({shown, shown}, {0, 1, 0}, 2),
@@ -141,8 +141,8 @@ TEST(GltfNodes, ARootWithAParentIsDrawnWhereThatPutsIt)
 {
     GltfBuilder builder = with_nodes(
         {{{"children", {1}}, {"translation", {5, 0, 0}}}, {{"mesh", 0}, {"translation", {1, 0, 0}}}}, {1});
-    EXPECT_EQ(complaint(builder), "test.gltf: scene 0: node 1 is no root: node 0 is its parent: "
-                                  "drawn where that puts it");
+    EXPECT_EQ(complaint(builder), "test.gltf: scene 0: root node 1 has a parent, node 0: "
+                                  "the parent's transform applies");
     EXPECT_EQ(load(builder).instances.at(0).transform[3].x, 6.0f);
     builder.document["scenes"][0]["nodes"] = {0, 1};
     EXPECT_EQ(load(builder).instances.size(), 1u) << "reached twice, drawn once";
@@ -293,12 +293,12 @@ TEST(GltfCameras, WhatMakesNoSenseIsPassedOverWithAWarning)
     };
     json odd = lens;
     odd["perspective"]["aspectRatio"] = -2;
-    EXPECT_EQ(read(odd, "camera 0: aspectRatio is none").aspect, 0.0f);
+    EXPECT_EQ(read(odd, "camera 0: aspectRatio is not a positive number").aspect, 0.0f);
     odd = lens;
     odd["perspective"]["zfar"] = 0.05;
-    EXPECT_EQ(read(odd, "camera 0: znear and zfar are no planes").near, 0.0f);
+    EXPECT_EQ(read(odd, "camera 0: znear and zfar are not valid clipping planes").near, 0.0f);
     odd["perspective"] = {{"yfov", 0.8}, {"znear", -1}};
-    EXPECT_EQ(read(odd, "camera 0: znear and zfar are no planes").near, 0.0f);
+    EXPECT_EQ(read(odd, "camera 0: znear and zfar are not valid clipping planes").near, 0.0f);
     json flat = {{"type", "orthographic"},
                  {"orthographic", {{"xmag", -3}, {"ymag", -1.5}, {"znear", 0}, {"zfar", 10}}}};
     const Camera turned = read(flat, "camera 0: a negative xmag or ymag");
@@ -306,7 +306,7 @@ TEST(GltfCameras, WhatMakesNoSenseIsPassedOverWithAWarning)
     EXPECT_EQ(turned.vertical_size, 3.0f);
     flat["orthographic"]["xmag"] = 0;
     flat["orthographic"]["ymag"] = 1;
-    EXPECT_EQ(read(flat, "camera 0: xmag is no size").aspect, 0.0f);
+    EXPECT_EQ(read(flat, "camera 0: xmag is not a valid size").aspect, 0.0f);
 }
 
 TEST(GltfCameras, ImpossibleOnesAreLeftOut)
@@ -323,10 +323,10 @@ TEST(GltfCameras, ImpossibleOnesAreLeftOut)
     EXPECT_EQ(broken(wide), "test.gltf: camera 0: yfov 0 is not between 0 and pi: the camera is left out");
     EXPECT_EQ(broken({{"type", "orthographic"},
                       {"orthographic", {{"xmag", 1}, {"ymag", 0}, {"znear", 0}, {"zfar", 1}}}}),
-              "test.gltf: camera 0: ymag 0 is no size: the camera is left out");
+              "test.gltf: camera 0: ymag 0 is not a valid size: the camera is left out");
     EXPECT_EQ(broken({{"type", "perspective"}}), "test.gltf: camera 0: perspective is missing: left out");
     EXPECT_EQ(broken({{"type", "fisheye"}}),
-              "test.gltf: camera 0: type \"fisheye\" is not one of glTF: left out");
+              "test.gltf: camera 0: type \"fisheye\" is not defined by glTF: left out");
     EXPECT_EQ(broken({{"type", "perspective"}, {"perspective", {{"znear", 1}}}}),
               "test.gltf: camera 0, perspective: yfov is missing: left out");
     GltfBuilder missing = with_camera(lens, json::object());
@@ -334,7 +334,7 @@ TEST(GltfCameras, ImpossibleOnesAreLeftOut)
     EXPECT_EQ(complaint(missing), "test.gltf: camera 4 does not exist: the camera is left out");
     Warnings warnings;
     EXPECT_TRUE(load(with_camera(lens, {{"scale", {1, 1, 0}}}), &warnings).cameras.empty());
-    EXPECT_TRUE(warned_once(warnings, "node 1: camera without direction left out"));
+    EXPECT_TRUE(warned_once(warnings, "node 1: its camera has no direction: left out"));
 }
 
 // "A node is visible if and only if its own visible property is true and all its parents are visible"; "visibility affects
@@ -422,7 +422,7 @@ TEST(GltfLights, ImpossibleOnesAreLeftOut)
         broken({{"type", "point"}, {"intensity", -1}}),
         "test.gltf: light 0: its intensity times colour is negative or too large: the light is left out");
     EXPECT_EQ(broken({{"type", "spot"}, {"spot", {{"outerConeAngle", 0}}}}),
-              "test.gltf: light 0: outerConeAngle 0 leaves no cone: the light is left out");
+              "test.gltf: light 0: outerConeAngle 0 is not above 0: the light is left out");
     EXPECT_EQ(broken({{"intensity", 3}}),
               "test.gltf: extensions, KHR_lights_punctual, light 0: type is missing: left out");
     GltfBuilder missing = with_light({{"type", "point"}}, json::object());
@@ -452,7 +452,7 @@ TEST(GltfLights, ValuesOutOfRangeAreClampedOrLeftOut)
                               "0 and 1.5708 are used");
     EXPECT_NEAR(wide.outer_cone, std::numbers::pi / 2, 1e-6);
     const Light endless =
-        mended({{"type", "point"}, {"range", -1}}, "test.gltf: light 0: range -1 is negative: none is used");
+        mended({{"type", "point"}, {"range", -1}}, "test.gltf: light 0: range -1 is negative: ignored");
     EXPECT_EQ(endless.range, std::numeric_limits<float>::infinity());
     const Light white = mended({{"type", "point"}, {"color", {1, 1}}},
                                "test.gltf: extensions, KHR_lights_punctual, light 0: color has 2 numbers, "

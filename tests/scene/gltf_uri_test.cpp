@@ -183,7 +183,8 @@ TEST(GltfUri, BytesInMemoryHaveNoFilesBesideThem)
 {
     GltfBuilder builder = triangle();
     builder.document["buffers"] = {{{"byteLength", 36}, {"uri", "a.bin"}}};
-    EXPECT_EQ(refusal(builder.gltf()), "test.gltf: buffer 0: \"a.bin\" is outside the file");
+    EXPECT_EQ(refusal(builder.gltf()),
+              "test.gltf: buffer 0: \"a.bin\" is an external file; only embedded data is read");
 }
 
 } // namespace

@@ -108,8 +108,7 @@ TEST(GltfValid, ChannelsMayLackANode)
     Warnings warnings;
     const GltfFile file({"test.gltf", bytes, std::nullopt, {}}, warnings);
     EXPECT_EQ(file.pose({0, 1.0}).instances.at(0).transform[3].x, 5.0f);
-    EXPECT_EQ(warnings,
-              Warnings{"test.gltf: 1 animation channels of properties that are not known: left out"});
+    EXPECT_EQ(warnings, Warnings{"test.gltf: 1 animation channels of unknown properties: left out"});
 }
 
 TEST(GltfValid, ExtrasAndUnknownExtensionsMayBeAnywhere)

@@ -43,7 +43,7 @@ struct ReportMaterial {
     float exponent;
 };
 
-// As it is, and as the dielectric that comes closest to it.
+// The report's parameters for the Phong model, and the closest dielectric for the metallic-roughness model.
 Material report_material(const char* name, const ReportMaterial& report)
 {
     const double alpha = in_double::phong_alpha(static_cast<double>(report.exponent));
@@ -139,13 +139,13 @@ Scene make_report_scene(const BuiltinOptions& options)
     add(scene, make_plane(0.95f, scaled(4, options)), ground, glm::mat4(1.0f));
 
     scene.lights.push_back(directional({0.5f, -0.8f, -0.55f}, glm::vec3(1.0f)));
-    // Low over the plane: seen from the front their highlights draw out into streaks.
+    // Low over the plane, so that highlights seen from the front stretch into streaks.
     scene.lights.push_back(point({-0.1f, 0.12f, 0.5f}, glm::vec3(0.06f, 0.028f, 0.006f)));
     scene.lights.push_back(point({0.75f, 0.15f, 0.4f}, glm::vec3(0.008f, 0.026f, 0.06f)));
     return scene;
 }
 
-// The report's paint, its diffuse colour from a texture.
+// A material of the report with a texture as its diffuse colour.
 Material textured(const char* name, int image)
 {
     Material material = report_material(name, {glm::vec3(1.0f), glm::vec3(0.2f), 100.0f});

@@ -1,4 +1,4 @@
-// Scenes that need no file.
+// Built-in scenes.
 #pragma once
 
 #include "scene/scene.h"
@@ -10,7 +10,7 @@
 namespace lambent::scene {
 
 struct BuiltinOptions {
-    float density = 1.0f;              ///< triangles along an edge, as a multiple of the usual; 1/16 to 8
+    float density = 1.0f;              ///< triangles along an edge, relative to the default; 1/16 to 8
     std::optional<glm::vec3> diffuse;  ///< Kd of every material's PhongMaterial
     std::optional<glm::vec3> specular; ///< Ks, likewise
     std::optional<float> exponent;     ///< Phong exponent, likewise; 0 < exponent <= 1e6

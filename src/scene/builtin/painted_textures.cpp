@@ -25,7 +25,7 @@ image::CodeImage blank(int width, int height)
     return image;
 }
 
-// Hue in turns, whiteness and darkness from 0 to 1: the strongest colour of the hue, mixed with white or black.
+// The saturated colour of a hue (in turns), mixed with white and black in proportions from 0 to 1.
 Color paint(double hue, double whiteness, double darkness)
 {
     Color color{};

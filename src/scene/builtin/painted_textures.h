@@ -1,11 +1,12 @@
-// Textures with strong colours, made by code: what shows how colours fare. sRGB codes, RGBA.
+// Procedural textures of strong colours, which show how colours are reproduced. sRGB codes, RGBA.
 #pragma once
 
 #include "image/image.h"
 
 namespace lambent::scene {
 
-/// A chart for a sphere: hues around, from pale over strong to dark from pole to pole, with light joints between.
+/// A colour chart for a sphere: hue varies around it, and from pole to pole colours go from pale over saturated to
+/// dark. Light joints separate the cells.
 image::CodeImage color_chart();
 
 /// Two by two tiles of two muted colours, to be repeated.

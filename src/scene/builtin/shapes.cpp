@@ -8,7 +8,8 @@
 namespace lambent::scene {
 namespace {
 
-// Direction at `east` (0 to 1 around, from -Z) and `south` (0 to 1 from +Y down): a panorama's, seen from inside.
+// Direction at `east` (0 to 1 around, from -Z) and `south` (0 to 1 from +Y down). The panorama's mapping is mirrored,
+// since panoramas are seen from inside.
 glm::dvec3 direction(double east, double south)
 {
     const in_double::vec3 d = in_double::direction_from_equirectangular({0.25 - east, south});
@@ -24,7 +25,7 @@ Mesh make_sphere(float radius, int segments, int rings)
         const bool pole = ring == 0 || ring == rings;
         for (int segment = 0; segment <= segments; ++segment) {
             const double south = static_cast<double>(ring) / rings;
-            // The last column repeats the first, exactly; a pole has one vertex for each of its triangles.
+            // The last column repeats the first exactly; a pole has one vertex for each of its triangles.
             const double place = segment == segments ? 0.0 : static_cast<double>(segment) / segments;
             const glm::dvec3 normal =
                 pole ? glm::dvec3(0.0, ring == 0 ? 1.0 : -1.0, 0.0) : direction(place, south);

@@ -8,8 +8,8 @@
 namespace lambent::scene {
 namespace {
 
-// Newell drew the pot as circles around its axis: four cubic arcs, whose inner control points stand out from
-// the axes by `bulge` (0.56 of the radius, though the knob has a rounder number).
+// The pot consists of circles around its axis: four cubic arcs, whose inner control points are `bulge` away from the
+// axes (0.56 of the radius, except for one ring of the knob).
 struct Ring {
     double radius;
     double height;
@@ -32,8 +32,8 @@ constexpr std::array<Ring, 4> knob = {ring(0.0, 3.15), Ring{0.8, 3.15, 0.45}, ri
 constexpr std::array<Ring, 4> lid = {ring(0.2, 2.7), ring(0.4, 2.55), ring(1.3, 2.55), ring(1.3, 2.4)};
 constexpr std::array<Ring, 4> bottom = {ring(1.5, 0.15), ring(1.5, 0.075), ring(1.425, 0.0), ring(0.0, 0.0)};
 
-// Handle and spout are tubes, symmetric about y = 0: half a cross-section runs from a first point in that
-// plane out to `half_width`, along, and back to a second point.
+// Handle and spout are tubes, symmetric about y = 0: half a cross-section is a cubic arc between two points in that
+// plane, whose inner control points are at `half_width`.
 struct Rung {
     double x1, z1;
     double x2, z2;
@@ -119,7 +119,7 @@ SurfacePoint evaluate(const BezierPatch& patch, double u, double v)
     const Basis down = bernstein(v);
     const glm::dvec3 along_v = combine(patch, down.slope, across.value);
     glm::dvec3 along_u = combine(patch, down.value, across.slope);
-    // Where a row has shrunk to a point, the direction in which it opens up stands for its derivative.
+    // Where a row collapses to a point, the mixed derivative gives the direction of the vanishing derivative.
     if (glm::length(along_u) < 1e-9)
         along_u = combine(patch, down.slope, across.slope) * (v < 0.5 ? 1.0 : -1.0);
     return {combine(patch, down.value, across.value), glm::normalize(glm::cross(along_u, along_v))};

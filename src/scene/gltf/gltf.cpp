@@ -7,6 +7,7 @@
 #include "scene/gltf/gltf_light.h"
 #include "scene/gltf/gltf_mesh.h"
 #include "scene/gltf/gltf_nodes.h"
+#include "scene/gltf/gltf_pose.h"
 
 #include <tbb/task_arena.h>
 
@@ -16,13 +17,13 @@
 namespace lambent::scene {
 namespace {
 
-// A scene whose images are still to be decoded, and which of the file's they are.
+// A scene whose images are not decoded yet, and the indices of these images in the file.
 struct Stage {
     Scene scene;
     std::vector<int> images;
 };
 
-// What a path's glTF is read from, once its bytes are there.
+// The source for the glTF at a path, without its bytes.
 GltfSource source_of(const std::filesystem::path& path, const Reach& reach)
 {
     return {path.string(), {}, path.parent_path(), reach};
@@ -54,18 +55,18 @@ struct GltfFile::Opened {
     void keep_image_index(const std::vector<int>& index) const;
     void find_image_index(const Stage& stage) const;
 
-    std::vector<std::uint8_t> bytes; ///< of the file, unless the caller has them
+    std::vector<std::uint8_t> bytes; ///< of the file; empty if the caller holds them
     Document document;
     std::vector<Animation> animations;
     std::vector<AnimationInfo> infos;
 
-    // What poses have in common, found by the first one.
+    // Data that all poses share, computed for the first one.
     mutable std::once_flag rest_found;
     mutable StillShapes still;
     mutable Bounds rest_bounds;
     mutable glm::dvec3 origin{0.0};
     mutable std::once_flag images_read;
-    mutable std::vector<int> image_index; ///< as read_images says, of every stage
+    mutable std::vector<int> image_index; ///< DecodedImages::index, the same for every stage
 
 private:
     GltfSource with_bytes(GltfSource source) const
@@ -75,7 +76,7 @@ private:
     }
 };
 
-// Everything relative to the point `from` of the world.
+// The scene with positions relative to the point `from` of the world.
 Stage GltfFile::Opened::stage(const std::optional<Moment>& moment, const glm::dvec3& from,
                               const ShapeStore& shapes, Warnings& warnings) const
 {
@@ -94,27 +95,27 @@ Stage GltfFile::Opened::stage(const std::optional<Moment>& moment, const glm::dv
     return stage;
 }
 
-// As it stands, from its origin. Where that is, is found by looking at it from the world's first; what is very far away is
-// seen there in steps of metres or more, and found more exactly from nearer.
+// The scene at rest, relative to its origin. This is found in several steps, from the world's origin: coordinates of
+// scenes very far away are metres apart in floats there, and more exact from nearby.
 Stage GltfFile::Opened::rest_stage(const ShapeStore& shapes, Warnings& warnings) const
 {
-    constexpr int most_looks = 4;
+    constexpr int most_steps = 4;
     glm::dvec3 from(0.0);
     Stage stage = this->stage(std::nullopt, from, shapes, warnings);
-    for (int look = 1; look < most_looks; ++look) {
-        const glm::dvec3 further = better_origin(bounds(stage.scene));
-        if (further == glm::dvec3(0.0))
+    for (int step = 1; step < most_steps; ++step) {
+        const glm::dvec3 offset = better_origin(bounds(stage.scene));
+        if (offset == glm::dvec3(0.0))
             break;
-        from += further;
-        Warnings said;
-        stage = this->stage(std::nullopt, from, shapes, said);
+        from += offset;
+        Warnings repeated;
+        stage = this->stage(std::nullopt, from, shapes, repeated);
     }
     return stage;
 }
 
 void GltfFile::Opened::find_rest() const
 {
-    // Isolated: a task of another pose, run while this one waits, would wait for itself.
+    // Isolated: while it waits, this thread could otherwise run a task of another pose, which would wait for this call.
     tbb::this_task_arena::isolate([&] {
         std::call_once(rest_found, [&] {
             Warnings unread;
@@ -125,7 +126,8 @@ void GltfFile::Opened::find_rest() const
     });
 }
 
-// Which images a scene has is found out by decoding them: mostly by scene(), which a pose's renderer has called before.
+// The indices of images are known only once these are decoded. Usually scene() has done that before any pose is asked
+// for.
 void GltfFile::Opened::keep_image_index(const std::vector<int>& index) const
 {
     std::call_once(images_read, [&] { image_index = index; });

@@ -1,6 +1,6 @@
 #include "scene/gltf/gltf_accessor.h"
 
-#include "scene/gltf_document/gltf_losses.h"
+#include "scene/gltf/gltf_layout.h"
 #include "scene/index.h"
 
 #include <algorithm>
@@ -11,121 +11,10 @@
 namespace lambent::scene {
 namespace {
 
-constexpr std::size_t most_zeros = 1'000'000;
-
-// Where the elements of an accessor are, after every check.
-struct Layout {
-    const std::uint8_t* first = nullptr; // null: all zeros
-    std::size_t stride = 0;              // bytes from one element to the next
-    std::size_t count = 0;
-    int component = 0; // gltf::Component
-    std::size_t components = 0;
-    bool normalized = false;
-};
-
-std::string accessor_name(int accessor)
-{
-    return text("accessor ", accessor);
-}
-
-const gltf::Accessor& find_accessor(const Document& document, const AccessorUse& use)
-{
-    const auto& accessors = document.model.accessors;
-    if (use.accessor < 0 || static_cast<std::size_t>(use.accessor) >= accessors.size())
-        document.fail(use.what, ": accessor ", use.accessor, " does not exist");
-    const gltf::Accessor& accessor = accessors[static_cast<std::size_t>(use.accessor)];
-    if (accessor.is_broken)
-        throw told_already();
-    return accessor;
-}
-
-// Of a type that glTF has.
-std::size_t components_of(std::string_view type)
-{
-    if (type == "SCALAR")
-        return 1;
-    const auto side = static_cast<std::size_t>(type.back() - '0');
-    return type.starts_with("MAT") ? side * side : side;
-}
-
-// Bytes of one component; 0 for what is no type of glTF: those of sparse indices were not looked at before.
-std::size_t component_bytes(int component)
-{
-    switch (component) {
-    case gltf::Component::i8:
-    case gltf::Component::u8:
-        return 1;
-    case gltf::Component::i16:
-    case gltf::Component::u16:
-        return 2;
-    case gltf::Component::u32:
-    case gltf::Component::f32:
-        return 4;
-    default:
-        return 0;
-    }
-}
-
-std::size_t element_bytes(const Layout& layout)
-{
-    return component_bytes(layout.component) * layout.components;
-}
-
-// The first byte of `count` elements, `stride` apart, from `offset` in the view.
-struct Run {
-    int buffer_view;
-    std::uint64_t offset;
-    std::uint64_t count;
-    std::uint64_t stride;
-    std::uint64_t element;
-};
-
-const std::uint8_t* check_run(const Document& document, const Run& run, const std::string& name)
-{
-    const auto view = view_bytes(document, run.buffer_view, name);
-    const std::uint64_t left = run.offset > view.size() ? 0 : view.size() - run.offset;
-    // (count - 1) * stride + element <= left, written so that nothing can overflow.
-    if (run.count != 0 && (run.element > left || (run.count - 1) > (left - run.element) / run.stride))
-        document.fail(name, ": ", run.count, " elements of ", run.element, " bytes do not fit in bufferView ",
-                      run.buffer_view, " (", view.size(), " bytes)");
-    return view.data() + std::min<std::uint64_t>(run.offset, view.size());
-}
-
-Layout check_layout(const Document& document, const AccessorUse& use)
-{
-    const gltf::Accessor& accessor = find_accessor(document, use);
-    const std::string name = accessor_name(use.accessor);
-    Layout layout;
-    layout.count = accessor.count;
-    layout.component = accessor.component_type;
-    layout.components = components_of(accessor.type);
-    layout.normalized = accessor.normalized || use.normalized;
-    layout.stride = element_bytes(layout);
-    if (layout.count > std::numeric_limits<std::uint32_t>::max())
-        document.fail(name, ": ", layout.count, " elements are more than an index can count");
-    if (accessor.buffer_view < 0) {
-        if (layout.count > most_zeros)
-            document.fail(name, ": ", layout.count, " elements without a bufferView, at most ", most_zeros,
-                          " are read");
-        return layout;
-    }
-    const std::uint64_t element = layout.stride;
-    view_bytes(document, accessor.buffer_view, name); // the view exists: its stride may be looked at
-    const auto& view = document.model.buffer_views[static_cast<std::size_t>(accessor.buffer_view)];
-    if (view.byte_stride != 0 && view.byte_stride < element)
-        document.fail(name, ": elements of ", element, " bytes overlap in bufferView ", accessor.buffer_view,
-                      " (byteStride ", view.byte_stride, ")");
-    if (view.byte_stride != 0)
-        layout.stride = view.byte_stride;
-    layout.first = check_run(
-        document, {accessor.buffer_view, accessor.byte_offset, layout.count, layout.stride, element}, name);
-    return layout;
-}
-
 template <class Source>
 Source load(const std::uint8_t* bytes)
 {
-    // The offsets of a file need not be aligned for this machine.
+    // Elements of a file may be unaligned for the processor.
     Source value;
     std::memcpy(&value, bytes, sizeof value);
     return value;
@@ -146,10 +35,10 @@ Target convert(Source value, bool normalized)
 }
 
 template <class Source, class Target>
-void copy_elements(const Layout& layout, std::span<const std::uint32_t> selection, Target* out)
+void copy_elements(const AccessorLayout& layout, std::span<const std::uint32_t> selection, Target* out)
 {
     const std::size_t count = selection.empty() ? layout.count : selection.size();
-    const std::size_t bytes = element_bytes(layout);
+    const std::size_t bytes = layout.element_bytes();
     if constexpr (std::is_same_v<Source, Target>) {
         if (selection.empty() && layout.stride == bytes) {
             std::memcpy(out, layout.first, count * bytes);
@@ -169,7 +58,7 @@ void copy_elements(const Layout& layout, std::span<const std::uint32_t> selectio
 }
 
 template <class Target>
-void copy_any(const Layout& layout, std::span<const std::uint32_t> selection, Target* out)
+void copy_any(const AccessorLayout& layout, std::span<const std::uint32_t> selection, Target* out)
 {
     if (layout.first == nullptr || layout.count == 0)
         return;
@@ -189,18 +78,19 @@ void copy_any(const Layout& layout, std::span<const std::uint32_t> selection, Ta
     }
 }
 
-// The elements that the sparse part replaces.
+// The indices of the elements that the sparse part replaces.
 std::vector<std::uint32_t> sparse_indices(const Document& document, const gltf::Accessor& accessor,
                                           const std::string& name)
 {
     const gltf::Sparse& sparse = *accessor.sparse;
-    Layout layout;
+    AccessorLayout layout;
     layout.count = at(sparse.count);
     layout.component = sparse.indices.component_type;
     layout.components = 1;
-    layout.stride = element_bytes(layout);
+    layout.stride = layout.element_bytes();
     if (layout.component == gltf::Component::f32 || layout.stride == 0)
-        document.fail(name, ": sparse indices of componentType ", layout.component);
+        document.fail(name, ": sparse indices have componentType ", layout.component,
+                      ", which is not allowed");
     layout.first = check_run(document,
                              {sparse.indices.buffer_view, at(sparse.indices.byte_offset), layout.count,
                               layout.stride, layout.stride},
@@ -214,7 +104,7 @@ std::vector<std::uint32_t> sparse_indices(const Document& document, const gltf::
 }
 
 template <class Target>
-void apply_sparse(const Document& document, const AccessorUse& use, const Layout& base, Target* out)
+void apply_sparse(const Document& document, const AccessorUse& use, const AccessorLayout& base, Target* out)
 {
     const gltf::Accessor& accessor = find_accessor(document, use);
     const std::string name = accessor_name(use.accessor);
@@ -223,9 +113,9 @@ void apply_sparse(const Document& document, const AccessorUse& use, const Layout
         document.fail(name, ": more sparse elements (", sparse.count, ") than elements (", accessor.count,
                       ")");
     const std::vector<std::uint32_t> indices = sparse_indices(document, accessor, name);
-    Layout layout = base;
+    AccessorLayout layout = base;
     layout.count = indices.size();
-    layout.stride = element_bytes(base);
+    layout.stride = base.element_bytes();
     layout.first = check_run(document,
                              {sparse.values.buffer_view, at(sparse.values.byte_offset), layout.count,
                               layout.stride, layout.stride},
@@ -244,9 +134,10 @@ void apply_sparse(const Document& document, const AccessorUse& use, const Layout
     }
 }
 
-// Reads into `elements`, whose memory is `components` numbers of type Target an element.
+// Reads elements that consist of `components` numbers of type Target.
 template <class Target, class Element>
-std::vector<Element> read_elements(const Document& document, const AccessorUse& use, const Layout& layout)
+std::vector<Element> read_elements(const Document& document, const AccessorUse& use,
+                                   const AccessorLayout& layout)
 {
     static_assert(sizeof(Element) % sizeof(Target) == 0);
     std::vector<Element> elements(use.selection.empty() ? layout.count : use.selection.size(), Element(0));
@@ -257,9 +148,9 @@ std::vector<Element> read_elements(const Document& document, const AccessorUse& 
     return elements;
 }
 
-Layout check_type(const Document& document, const AccessorUse& use, std::string_view type)
+AccessorLayout check_type(const Document& document, const AccessorUse& use, std::string_view type)
 {
-    const Layout layout = check_layout(document, use);
+    const AccessorLayout layout = check_layout(document, use);
     if (find_accessor(document, use).type != type)
         document.fail(use.what, ": accessor ", use.accessor, " is not ", type);
     return layout;
@@ -269,7 +160,8 @@ void check_integers(const Document& document, const AccessorUse& use, std::span<
 {
     const int component = find_accessor(document, use).component_type;
     if (std::find(allowed.begin(), allowed.end(), component) == allowed.end())
-        document.fail(use.what, ": accessor ", use.accessor, " has componentType ", component);
+        document.fail(use.what, ": accessor ", use.accessor, " has componentType ", component,
+                      ", which is not allowed");
 }
 
 } // namespace
@@ -317,7 +209,7 @@ std::vector<glm::vec4> read_color(const Document& document, const AccessorUse& u
 
 std::vector<glm::mat4> read_mat4(const Document& document, const AccessorUse& use)
 {
-    const Layout layout = check_type(document, use, "MAT4");
+    const AccessorLayout layout = check_type(document, use, "MAT4");
     check_floats(document, use);
     return read_elements<float, glm::mat4>(document, use, layout);
 }
@@ -336,7 +228,7 @@ void check_floats(const Document& document, const AccessorUse& use)
 std::vector<std::uint32_t> read_indices(const Document& document, const AccessorUse& use)
 {
     constexpr int allowed[] = {gltf::Component::u8, gltf::Component::u16, gltf::Component::u32};
-    const Layout layout = check_type(document, use, "SCALAR");
+    const AccessorLayout layout = check_type(document, use, "SCALAR");
     check_integers(document, use, allowed);
     return read_elements<std::uint32_t, std::uint32_t>(document, use, layout);
 }
@@ -344,7 +236,7 @@ std::vector<std::uint32_t> read_indices(const Document& document, const Accessor
 std::vector<glm::u16vec4> read_joints(const Document& document, const AccessorUse& use)
 {
     constexpr int allowed[] = {gltf::Component::u8, gltf::Component::u16};
-    const Layout layout = check_type(document, use, "VEC4");
+    const AccessorLayout layout = check_type(document, use, "VEC4");
     check_integers(document, use, allowed);
     return read_elements<std::uint16_t, glm::u16vec4>(document, use, layout);
 }

@@ -15,27 +15,27 @@
 
 namespace lambent::scene {
 
-/// What a caller wants from an accessor.
+/// A request to read an accessor.
 struct AccessorUse {
     int accessor = -1;
-    std::string what;                         ///< who asks, for messages: "mesh 0, primitive 1, POSITION"
-    bool normalized = false;                  ///< integers are fractions whatever the accessor says
+    std::string what;        ///< the accessor's user, for messages: "mesh 0, primitive 1, POSITION"
+    bool normalized = false; ///< integers are fractions even if the accessor is not marked so
     std::span<const std::uint32_t> selection; ///< ascending elements to read, below its count; empty: all
 };
 
-/// Number of elements. Throws where the accessor does not exist.
+/// Number of elements. Throws if the accessor does not exist.
 std::size_t accessor_count(const Document& document, const AccessorUse& use);
 
-/// Throws where the accessor's elements are not all inside its bufferView, or are too many zeros.
+/// Throws if the accessor's elements are not all inside its bufferView, or if it has none and more than a million
+/// elements.
 void check_accessor(const Document& document, const AccessorUse& use);
 
 /// Number of elements that its sparse part overrides.
 std::size_t sparse_count(const Document& document, int accessor);
 
-/// Elements as floats. Integers are converted as glTF says: fractions of their largest value where the
-/// accessor is normalized, their plain value elsewhere. Sparse parts are applied, a missing bufferView reads
-/// as zeros (at most a million elements). [glTF 2.0, 3.6.2]
-/// Throws Error(bad_input) where the bytes are not all there or the type is another.
+/// Elements as floats. Integers are converted as glTF defines: to fractions of their largest value if the accessor is
+/// normalized, else to their plain value. Sparse parts are applied; a missing bufferView reads as zeros (at most a
+/// million elements). [glTF 2.0, 3.6.2] Throws Error(bad_input) if bytes are missing or the type differs.
 std::vector<glm::vec2> read_vec2(const Document& document, const AccessorUse& use);
 std::vector<glm::vec3> read_vec3(const Document& document, const AccessorUse& use);
 std::vector<glm::vec4> read_vec4(const Document& document, const AccessorUse& use);
@@ -46,7 +46,7 @@ std::vector<glm::mat4> read_mat4(const Document& document, const AccessorUse& us
 
 /// SCALAR. As above.
 std::vector<float> read_scalars(const Document& document, const AccessorUse& use);
-/// Throws where the accessor's numbers are not floats.
+/// Throws if the accessor's numbers are not floats.
 void check_floats(const Document& document, const AccessorUse& use);
 
 /// SCALAR of unsigned 8, 16 or 32 bit integers. As above.

@@ -4,23 +4,22 @@
 #include "scene/gltf_document/gltf_losses.h"
 #include "scene/index.h"
 
-#include <glm/geometric.hpp>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <set>
+#include <string>
 #include <utility>
 
 namespace lambent::scene {
 namespace {
 
-// Samplers may share accessors, and a small file may share a few of them a million times. Keys of floats take
-// four bytes a number: so much sharing is more than anybody needs.
+// Limit of the numbers read: a constant, and a multiple of the bytes of all buffers. Samplers may share accessors, and
+// a small file could share a few of them a million times. A float takes four bytes, so each may be read sixteen times.
 constexpr std::uint64_t free_numbers = 2'000'000;
 constexpr std::uint64_t numbers_per_byte = 4;
 
-// Thirty years; seconds beyond have no fractions left in a float.
+// Seconds, about 30 years: far beyond the times whose fractions floats resolve.
 constexpr float farthest_time = 1e9f;
 
 std::optional<Animated> property_of(const std::string& path)
@@ -95,7 +94,7 @@ void AnimationReader::spend(std::uint64_t numbers)
     left_ -= numbers;
 }
 
-// Two keys at one time are a jump: from there on the later one counts.
+// Two keys at the same time are a jump: from that time on the later one counts.
 void AnimationReader::read_times(const gltf::AnimationSampler& sampler, const std::string& name, Curve& curve)
 {
     std::size_t jumps = 0;
@@ -107,15 +106,15 @@ void AnimationReader::read_times(const gltf::AnimationSampler& sampler, const st
             document_.fail(name, ": the time of key ", key, " is not within ", farthest_time, " s");
         if (key > 0 && curve.times[key] < curve.times[key - 1])
             document_.fail(name, ": the time of key ", key, ", ", curve.times[key],
-                           " s, is before the one before");
+                           " s, is before that of the key before");
         jumps += key > 0 && curve.times[key] == curve.times[key - 1] ? 1 : 0;
     }
     if (jumps != 0)
         losses_.add(text(document_.file, ": ", name, ": ", jumps,
-                         " keys are at the same time as the one before: taken as jumps"));
+                         " keys have the time of the key before: read as jumps"));
 }
 
-// Whole numbers are fractions in rotations and weights; lengths and factors must be floats. [glTF 2.0, 3.11]
+// Integers are fractions in rotations and weights; translations and scales must be floats. [glTF 2.0, 3.11]
 void AnimationReader::read_values(const gltf::AnimationSampler& sampler, Animated property,
                                   const std::string& name, Curve& curve) const
 {
@@ -157,12 +156,13 @@ Curve AnimationReader::read_curve(const gltf::AnimationSampler& sampler, const T
     else if (sampler.interpolation == "CUBICSPLINE")
         curve.interpolation = Interpolation::cubic;
     else if (sampler.interpolation != "LINEAR")
-        document_.fail(name, ": interpolation \"", printable(sampler.interpolation), "\" is not one of glTF");
+        document_.fail(name, ": interpolation \"", printable(sampler.interpolation),
+                       "\" is not defined by glTF");
     curve.rotation = track.property == Animated::rotation;
     curve.width = curve.rotation                        ? 4
                   : track.property == Animated::weights ? target_count(document_, track.node)
                                                         : 3;
-    // Elements of `output`: weights come one by one.
+    // Elements of `output` for each key: every weight is an element.
     const std::uint64_t each = (curve.interpolation == Interpolation::cubic ? 3u : 1u) *
                                (track.property == Animated::weights ? curve.width : 1u);
     const AccessorUse input{sampler.input, name + ", input", false, {}},
@@ -173,7 +173,7 @@ Curve AnimationReader::read_curve(const gltf::AnimationSampler& sampler, const T
     if (keys == 0)
         document_.fail(name, ": no keys");
     if (values != keys * each) // both fit 32 bits
-        document_.fail(name, ": ", values, " values for ", keys, " keys, not ", each, " for each");
+        document_.fail(name, ": ", values, " values for ", keys, " keys, not ", each, " per key");
     spend(keys + values * (track.property == Animated::weights ? 1u : curve.width) +
           sparse_count(document_, sampler.input) + sparse_count(document_, sampler.output));
     read_times(sampler, name, curve);
@@ -182,7 +182,7 @@ Curve AnimationReader::read_curve(const gltf::AnimationSampler& sampler, const T
     return curve;
 }
 
-// Counts what is left out.
+// Whether the channel moves something that can be moved. Counts the others.
 bool AnimationReader::is_known(const gltf::AnimationChannel& channel)
 {
     const std::optional<Animated> property = property_of(channel.target.path);
@@ -252,32 +252,10 @@ void AnimationReader::warn()
             warnings_.push_back(
                 text(document_.file, ": ", count, " animation channels ", what, ": left out"));
     };
-    warn_if(unknown_, "of properties that are not known");
+    warn_if(unknown_, "of unknown properties");
     warn_if(matrices_, "of nodes with a matrix");
     warn_if(shapeless_, "of weights without morph targets");
-    warn_if(repeated_, "of what another channel moves");
-}
-
-// Far beyond what anything can be drawn with, and within what floats hold.
-std::vector<double> limited(std::vector<double> numbers)
-{
-    constexpr double most = std::numeric_limits<float>::max();
-    for (double& number : numbers)
-        number = std::clamp(number, -most, most);
-    return numbers;
-}
-
-void apply(const Track& track, double seconds, NodePose& pose)
-{
-    std::vector<double> v = limited(value_at(track.curve, seconds));
-    if (track.property == Animated::translation)
-        pose.translation = glm::dvec3(v[0], v[1], v[2]);
-    else if (track.property == Animated::rotation)
-        pose.rotation = glm::dquat(v[3], v[0], v[1], v[2]);
-    else if (track.property == Animated::scale)
-        pose.scale = glm::dvec3(v[0], v[1], v[2]);
-    else
-        pose.weights = std::move(v);
+    warn_if(repeated_, "of properties that another channel animates");
 }
 
 } // namespace
@@ -290,31 +268,6 @@ std::vector<Animation> read_animations(const Document& document, Warnings& warni
         animations.push_back(reader.read(i));
     reader.warn();
     return animations;
-}
-
-Pose pose_of(const Document& document, std::span<const Animation> animations,
-             const std::optional<Moment>& moment)
-{
-    Pose pose;
-    for (const Animation& animation : animations)
-        for (const Track& track : animation.tracks) {
-            NodePose& node = pose[track.node];
-            if (track.property != Animated::weights || node.morphs)
-                continue;
-            const gltf::Node& source = document.model.nodes[at(track.node)];
-            node.weights =
-                source.weights.empty() ? document.model.meshes[at(source.mesh)].weights : source.weights;
-            node.morphs = true;
-        }
-    if (!moment)
-        return pose;
-    if (moment->animation < 0 || at(moment->animation) >= animations.size())
-        throw Error(Failure::usage, text(document.file, ": there is no animation ", moment->animation));
-    const Animation& animation = animations[at(moment->animation)];
-    const double seconds = moment->seconds > 0.0 ? std::min(moment->seconds, animation.info.seconds) : 0.0;
-    for (const Track& track : animation.tracks)
-        apply(track, seconds, pose[track.node]);
-    return pose;
 }
 
 } // namespace lambent::scene

@@ -6,7 +6,7 @@
 namespace lambent::scene {
 namespace {
 
-// The attribute's accessor, having checked that it is as long as the positions.
+// The attribute's accessor. Throws if it has more or fewer elements than there are vertices.
 std::optional<AccessorUse> vertex_attribute(const Document& document, const PrimitivePart& part,
                                             const std::string& name, std::size_t vertices)
 {
@@ -17,7 +17,7 @@ std::optional<AccessorUse> vertex_attribute(const Document& document, const Prim
     return use;
 }
 
-// The sets that the material asks for, and the two that every program reads.
+// The sets that the material needs, and the first two, which are always read.
 std::set<int> texcoord_sets(const TextureNeeds& needs)
 {
     std::set<int> sets = needs.texcoords;
@@ -47,7 +47,7 @@ void read_attributes(const Document& document, const PrimitivePart& part, const 
                 into(*use);
         });
     };
-    // Whole numbers in unit vectors are fractions even where a file forgets to say so; lengths come later.
+    // Integers in unit vectors are fractions even if the file does not say so; lengths are corrected later.
     read("NORMAL", [&](AccessorUse& use) {
         use.normalized = true;
         mesh.normals = read_vec3(document, use);

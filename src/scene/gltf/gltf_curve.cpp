@@ -8,7 +8,7 @@ namespace {
 
 using Numbers = std::vector<double>;
 
-// Of the three parts of a cubic key; other keys have one.
+// The three parts of a key of a cubic curve; keys of other curves have only the second.
 enum Part : std::size_t { in_tangent, itself, out_tangent };
 
 Numbers read(const Curve& curve, std::size_t key, Part part = itself)
@@ -35,7 +35,7 @@ Numbers sum(const Numbers& a, double of_a, const Numbers& b, double of_b)
     return numbers;
 }
 
-// Where a cubic passes through nothing, `otherwise` is as good as any rotation.
+// `numbers` normalised, or `otherwise` where a cubic passes through zero.
 Numbers unit(const Numbers& numbers, const Numbers& otherwise)
 {
     const double length = std::sqrt(dot(numbers, numbers));
@@ -51,13 +51,14 @@ Numbers slerp(const Numbers& from, const Numbers& to, double t)
     const Numbers a = unit(from, identity), b = unit(to, identity);
     const double cosine = dot(a, b), sign = cosine < 0.0 ? -1.0 : 1.0;
     const double angle = std::acos(std::min(std::abs(cosine), 1.0));
-    constexpr double straight = 1e-4; // an arc this short is a line, and dividing by its sine is not safe
+    // Shorter arcs are interpolated linearly, since their sines are too small.
+    constexpr double straight = 1e-4;
     if (angle < straight)
         return unit(sum(a, 1.0 - t, b, sign * t), a);
     return unit(sum(a, std::sin(angle * (1.0 - t)), b, sign * std::sin(angle * t)), a);
 }
 
-// Hermite's, with tangents for each second. [glTF 2.0, C.5]
+// Hermite's cubic, with tangents per second. [glTF 2.0, C.5]
 Numbers cubic(const Curve& curve, std::size_t key, double t, double span)
 {
     const double t2 = t * t, t3 = t2 * t;

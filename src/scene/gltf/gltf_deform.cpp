@@ -29,7 +29,7 @@ void check_count(const Document& document, const AccessorUse& use, const Primiti
         document.fail(use.what, " has ", count, " elements, POSITION has ", vertices);
 }
 
-// Vectors of three components, also onto the first three of four.
+// Displaces vectors of three components, or the first three components of four.
 template <class Vector>
 void add_displacement(const Document& document, const PrimitivePart& part, const AccessorUse& use,
                       float weight, std::vector<Vector>& vectors)
@@ -89,7 +89,7 @@ void check_joints(const Document& document, const PrimitivePart& part, const std
             for (int i = 0; i < 4; ++i) {
                 if (set.joints[vertex][i] >= joints)
                     document.fail(part.name, ": joint ", set.joints[vertex][i], " is past the skin's ",
-                                  joints);
+                                  joints, " joints");
                 if (!std::isfinite(set.weights[vertex][i]))
                     document.fail(part.name, ": a joint's weight is not finite");
             }
@@ -104,7 +104,7 @@ bool is_finite(const glm::mat4& matrix)
     return true;
 }
 
-// Normals go by the inverse transpose: the matrix of cofactors, with the sign of the determinant.
+// The matrix of cofactors. With the sign of the determinant it transforms normals, like the inverse transpose.
 glm::mat3 cofactors(const glm::mat3& m)
 {
     return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};

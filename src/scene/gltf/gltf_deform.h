@@ -1,4 +1,4 @@
-// Morph targets and skins, applied as the nodes stand.
+// Morph targets and skins, applied for a pose of the nodes.
 #pragma once
 
 #include "scene/gltf_document/gltf_document.h"
@@ -22,21 +22,21 @@ struct PrimitivePart {
     std::span<const std::uint32_t> selection;
 };
 
-/// Adds the weighted displacements of positions, normals and tangents. Weights beyond the targets, and
-/// targets beyond the weights, count as 0. Returns how many displacements of other attributes it left out. One that
-/// cannot be read is left out with a warning.
+/// Adds the weighted displacements of positions, normals and tangents. Targets without a weight count as 0, and
+/// surplus weights are ignored. Displacements that cannot be read are left out with a warning. Returns how many
+/// displacements of other attributes were left out.
 std::size_t apply_morph_targets(const Document& document, const PrimitivePart& part,
                                 std::span<const double> weights, Losses& losses, Mesh& mesh);
 
-/// For each joint of a skin: world from mesh, as the nodes stand. Throws Error(bad_input) for joints or inverse
+/// World from mesh for each joint of a skin, in the pose of the nodes. Throws Error(bad_input) for joints or inverse
 /// bind matrices that do not exist or are not finite.
 std::vector<glm::mat4> skin_matrices(const Document& document, const NodeTree& nodes, int skin);
 
 bool has_skin_attributes(const gltf::Primitive& primitive);
 
-/// Moves the vertices into the world by their joints. Where the movement mirrors, triangles are turned
-/// over, so that their fronts stay in front. Vertices whose weights sum to 0 follow their first joint.
-/// Throws Error(bad_input), having changed nothing, for a joint that the skin does not have or a weight that is not finite.
+/// Transforms the vertices into the world by their joints. Where a transform mirrors, the winding of triangles is
+/// reversed, so that their front sides stay the same. Vertices whose weights sum to 0 follow their first joint. Throws
+/// Error(bad_input), before any change, for a joint that the skin does not have or a weight that is not finite.
 void apply_skin(const Document& document, const PrimitivePart& part, std::span<const glm::mat4> matrices,
                 Mesh& mesh);
 

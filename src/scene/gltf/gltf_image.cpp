@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t most_pixels = std::uint64_t{1} << 30;
 
-// An image still in its file format.
+// An image in its file format.
 struct Encoded {
     std::string name; ///< for messages: file, number and name or uri
     std::vector<std::uint8_t> storage;
@@ -57,13 +57,13 @@ std::uint64_t pixels_of(const Encoded& encoded)
     return static_cast<std::uint64_t>(info.width) * static_cast<std::uint64_t>(info.height);
 }
 
-// One of the listed images on its way.
+// One of the listed images while it is read.
 struct Work {
     Encoded encoded;
     std::uint64_t pixels = 0;
     image::CodeImage image;
     Warnings warnings; ///< of its decoder
-    std::string fault; ///< why it is left out, unless that was told
+    std::string fault; ///< why it is left out; empty if that was reported before
     bool is_lost = false;
 
     template <class Step>
@@ -81,15 +81,15 @@ struct Work {
     }
 };
 
-// In their order: what is within the limit stays.
+// Leaves out images that exceed the limit of all pixels, in the order of the list.
 void check_pixels(std::span<Work> images)
 {
     std::uint64_t pixels = 0;
     for (Work& work : images)
         work.go_on([&] {
             if (pixels + work.pixels > most_pixels)
-                refuse(work.encoded.name, ": ", work.pixels, " pixels, with those before it more than ",
-                       most_pixels);
+                refuse(work.encoded.name, ": ", work.pixels,
+                       " pixels, together with the images before it more than ", most_pixels);
             pixels += work.pixels;
         });
 }

@@ -23,7 +23,7 @@ public:
     {
     }
 
-    // How many instances all attributes have, those of others included; none: no attributes.
+    // The smallest and largest counts of all attributes, unknown ones included; nothing without attributes.
     struct Counts {
         std::size_t least = 0, most = 0;
     };

@@ -1,4 +1,4 @@
-// The places where a node shows its mesh. [EXT_mesh_gpu_instancing]
+// Instances of a node's mesh. [EXT_mesh_gpu_instancing]
 #pragma once
 
 #include "scene/gltf_document/gltf_document.h"
@@ -14,7 +14,7 @@
 
 namespace lambent::scene {
 
-/// Transforms within a node; what a file leaves out is empty and stands for none.
+/// Transforms relative to a node. Lists that the file does not give are empty: no translation, rotation or scale.
 struct NodeInstances {
     std::size_t count = 0;
     std::vector<glm::vec3> translations;
@@ -25,9 +25,9 @@ struct NodeInstances {
     glm::dmat4 transform(std::size_t instance) const;
 };
 
-/// What the extension says of a node; none where it says nothing. Attributes of unequal counts are read up to the
-/// smallest, and no more than `most` instances, each with a warning. Where one cannot be read the mesh is shown once, as
-/// without the extension, with a warning.
+/// The instances that the extension gives a node; nothing if it gives none. Attributes of unequal counts are read up
+/// to the smallest, and at most `most` instances, each with a warning. If an attribute cannot be read, nothing is
+/// returned, with a warning, and the mesh is drawn once, as without the extension.
 std::optional<NodeInstances> read_instances(const Document& document, int node, std::size_t most,
                                             Losses& losses);
 

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double half_turn = 3.14159265358979323846;
 
-// Rotation and translation of a transform: the Z axis keeps its direction, Y stays in the plane of Z and Y.
+// Rotation and translation of a transform: the Z axis keeps its direction, Y stays in the plane of Z and Y. Nothing if
+// these axes have collapsed.
 std::optional<glm::mat4> rigid(const glm::dmat4& transform)
 {
     const glm::dvec3 z(transform[2]);
@@ -44,21 +45,21 @@ Camera read_lens(const Document& document, int index)
             document.fail("camera ", index, ": yfov ", source.perspective->yfov, " is not between 0 and pi");
         camera.vertical_fov = static_cast<float>(source.perspective->yfov);
     } else {
-        // ymag is half of what is seen; a negative one would turn the picture over and is read as positive.
+        // ymag is half the height of the view; a negative one would flip the picture and is read as positive.
         camera.vertical_size = static_cast<float>(2.0 * std::abs(source.orthographic->ymag));
         if (!(camera.vertical_size > 0.0f && std::isfinite(camera.vertical_size)))
-            document.fail("camera ", index, ": ymag ", source.orthographic->ymag, " is no size");
+            document.fail("camera ", index, ": ymag ", source.orthographic->ymag, " is not a valid size");
     }
     return camera;
 }
 
-// Whether the planes make sense; far may be infinite.
+// Whether these are valid clipping planes; far may be infinite.
 bool are_planes(double nearest, double near, double far)
 {
     return std::isfinite(near) && near >= nearest && far > near;
 }
 
-// What a camera says besides the height of what it sees. [glTF 2.0, 3.10.3]
+// Reads the aspect and the clipping planes. [glTF 2.0, 3.10.3]
 void read_extent(const Document& document, int index, Losses& losses, Camera& camera)
 {
     const gltf::Camera& source = document.model.cameras[at(index)];
@@ -74,12 +75,13 @@ void read_extent(const Document& document, int index, Losses& losses, Camera& ca
     if (static_cast<float>(aspect) > 0.0f && std::isfinite(static_cast<float>(aspect)))
         camera.aspect = static_cast<float>(aspect);
     else if (!perspective || aspect != 0.0)
-        warn(perspective ? "aspectRatio is none: passed over" : "xmag is no size: passed over");
+        warn(perspective ? "aspectRatio is not a positive number: ignored"
+                         : "xmag is not a valid size: ignored");
     const double near = perspective ? p.znear : o.znear;
     const double given = perspective ? p.zfar : o.zfar;
     const double far = perspective && given == 0.0 ? std::numeric_limits<double>::infinity() : given;
     if (!are_planes(0.0, near, far)) {
-        warn("znear and zfar are no planes one behind the other: passed over");
+        warn("znear and zfar are not valid clipping planes: ignored");
         return;
     }
     camera.near = static_cast<float>(near);
@@ -102,7 +104,7 @@ void read_cones(const gltf::Spot& spot, const std::string& name, Losses& losses,
     const double most = half_turn / 2.0;
     const double outer = std::min(spot.outer_cone_angle, most);
     if (!(outer > 0.0))
-        refuse(name, ": outerConeAngle ", spot.outer_cone_angle, " leaves no cone");
+        refuse(name, ": outerConeAngle ", spot.outer_cone_angle, " is not above 0");
     const double inner = std::clamp(spot.inner_cone_angle, 0.0, outer);
     if (inner != spot.inner_cone_angle || spot.outer_cone_angle > most + 1e-6)
         losses.add(text(name, ": cone angles ", spot.inner_cone_angle, " and ", spot.outer_cone_angle,
@@ -131,7 +133,7 @@ Light read_light(const Document& document, int index, Losses& losses)
         document.fail(name, ": type \"", printable(source.type), "\" is not known");
     light.intensity = light_intensity(document, source, name);
     if (source.range < 0.0)
-        losses.add(text(document.file, ": ", name, ": range ", source.range, " is negative"), "none is used");
+        losses.add(text(document.file, ": ", name, ": range ", source.range, " is negative"), "ignored");
     if (source.range > 0.0)
         light.range = static_cast<float>(source.range);
     if (light.kind == LightKind::spot)
@@ -159,7 +161,7 @@ std::vector<Camera> read_cameras(const Document& document, const NodeTree& nodes
             camera.name = text("camera", cameras.size());
         const auto transform = rigid(nodes.world[at(node)]);
         if (!transform) {
-            losses.add(text(document.file, ": node ", node, ": camera without direction left out"));
+            losses.add(text(document.file, ": node ", node, ": its camera has no direction: left out"));
             continue;
         }
         camera.transform = *transform;
@@ -186,7 +188,7 @@ std::vector<Light> read_lights(const Document& document, const NodeTree& nodes, 
         if (length > 0.0) {
             light.direction = glm::vec3(-backward / length);
         } else if (light.kind != LightKind::point) {
-            losses.add(text(document.file, ": node ", node, ": light without direction left out"));
+            losses.add(text(document.file, ": node ", node, ": its light has no direction: left out"));
             continue;
         }
         lights.push_back(light);

@@ -9,13 +9,12 @@
 
 namespace lambent::scene {
 
-/// Cameras with the scale, and what it mirrors, taken out of their transform. One whose axes have collapsed, that does not
-/// exist or has an impossible angle or size is left out with a warning; aspects, planes and signs that make no sense are
-/// passed over with one.
+/// Cameras, whose transforms lose scaling and mirroring. A camera that does not exist, whose axes have collapsed, or
+/// with an invalid angle or size is left out with a warning; invalid aspects, planes and signs are ignored with one.
 std::vector<Camera> read_cameras(const Document& document, const NodeTree& nodes, Warnings& warnings);
 
-/// KHR_lights_punctual: lights shine along their node's -Z. As above; cone angles are clamped, and a negative range counts
-/// as none, with a warning.
+/// Lights of KHR_lights_punctual, which shine along their node's -Z. Invalid ones are left out with a warning; cone
+/// angles are clamped, and negative ranges ignored, with a warning.
 std::vector<Light> read_lights(const Document& document, const NodeTree& nodes, Warnings& warnings);
 
 } // namespace lambent::scene

@@ -1,16 +1,12 @@
 #include "scene/gltf/gltf_material.h"
 
-#include "scene/gltf/gltf_sampler.h"
+#include "scene/gltf/gltf_texture.h"
 #include "scene/gltf_document/gltf_losses.h"
 #include "scene/gltf_document/gltf_material_path.h"
 #include "scene/index.h"
 
-#include <glm/matrix.hpp>
-
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -19,15 +15,15 @@
 namespace lambent::scene {
 namespace {
 
-// A number that a material has at a place in its JSON: what stands for it where the file has none, and its range.
+// A number of a material: its path in the material's JSON, its default and its range.
 struct Factor {
     std::string_view path;
     double missing;
     double low, high;
-    std::string_view name = {}; ///< in messages; empty: the path's last word
+    std::string_view name = {}; // in messages; empty: the path's last word
 };
 
-constexpr double huge = 1e30; // leaves room for what is multiplied onto it
+constexpr double huge = 1e30; // products with other factors stay within floats
 constexpr double any = std::numeric_limits<float>::max();
 constexpr Factor emissive_strength{"extensions/KHR_materials_emissive_strength/emissiveStrength", 1.0, 0.0,
                                    huge};
@@ -38,12 +34,12 @@ std::string_view last_word(std::string_view path)
     return path.substr(path.rfind('/') + 1); // npos + 1 is 0
 }
 
-// What the file says at a place; none: nothing.
+// The number that the file has at a path, if any.
 std::optional<double> number_at(const gltf::Material& source, std::string_view path, std::size_t component)
 {
     if (const auto found = source.factors.find(path); found != source.factors.end())
         return found->second[component];
-    // A texture's own.
+    // A texture's scale or strength.
     const std::string_view name = last_word(path);
     const auto texture = source.textures.find(path.substr(0, path.size() - name.size() - 1));
     if (path == name || texture == source.textures.end())
@@ -51,13 +47,16 @@ std::optional<double> number_at(const gltf::Material& source, std::string_view p
     return name == "scale" ? texture->second.scale : texture->second.strength;
 }
 
-// The file's texture settings, read while images that are used get their numbers.
+// Reads materials and their textures.
 class MaterialReader {
 public:
-    MaterialReader(const Document& document, Losses& losses) : document_(document), losses_(losses) {}
+    MaterialReader(const Document& document, Losses& losses)
+        : document_(document), losses_(losses), textures_(document, losses)
+    {
+    }
 
     Material read(int index);
-    const std::vector<int>& images() const { return images_; }
+    const std::vector<int>& images() const { return textures_.images(); }
 
 private:
     void read_parameters(const gltf::Material& source, Material& material);
@@ -67,9 +66,6 @@ private:
     float read_factor(const gltf::Material& source, const Factor& factor, std::size_t component = 0);
     void read_numbers(const gltf::Material& source, const Factor& factor, std::span<float> to);
     TextureUse read_texture(const gltf::Material& source, std::string_view path);
-    TextureUse find_texture(const gltf::TextureInfo& info, std::string_view slot);
-    Sampler read_sampler(int index);
-    int scene_image(int image);
 
     template <class... Parts>
     void warn(const Parts&... parts)
@@ -79,9 +75,8 @@ private:
 
     const Document& document_;
     Losses& losses_;
-    std::string name_;                                            // "material 3"
-    std::map<std::pair<int, std::string_view>, int> image_index_; // by where the bytes are
-    std::vector<int> images_;
+    TextureReader textures_;
+    std::string name_; // "material 3"
 };
 
 float MaterialReader::read_factor(const gltf::Material& source, const Factor& factor, std::size_t component)
@@ -94,74 +89,14 @@ float MaterialReader::read_factor(const gltf::Material& source, const Factor& fa
     return static_cast<float>(kept);
 }
 
-// Images that name the same bytes become one.
-int MaterialReader::scene_image(int image)
-{
-    const gltf::Image& source = document_.model.images[at(image)];
-    const auto [found, is_new] =
-        image_index_.try_emplace({source.buffer_view, source.uri}, static_cast<int>(images_.size()));
-    if (is_new)
-        images_.push_back(image);
-    return found->second;
-}
-
-Sampler MaterialReader::read_sampler(int index)
-{
-    if (index < 0)
-        return {};
-    if (at(index) < document_.model.samplers.size())
-        return scene::read_sampler(document_, index, losses_);
-    warn("sampler ", index, " does not exist: repeating and smooth");
-    return {};
-}
-
-// T * R * S, where R turns by -rotation as the formula is usually written: v counts downwards. The listing in
-// the extension's text has the other sign; its example and the implementations agree on this one
-// (KhronosGroup/glTF issue 1563). [KHR_texture_transform]
-glm::mat3 transform_of(const gltf::TextureTransform& transform)
-{
-    const auto& [offset, scale, angle, tex_coord] = transform;
-    const double c = std::cos(angle);
-    const double s = std::sin(angle);
-    // Columns: what u becomes, what v becomes, where the origin goes.
-    return {glm::vec3(c * scale[0], -s * scale[0], 0.0), glm::vec3(s * scale[1], c * scale[1], 0.0),
-            glm::vec3(offset[0], offset[1], 1.0)};
-}
-
 TextureUse MaterialReader::read_texture(const gltf::Material& source, std::string_view path)
 {
-    TextureUse use;
-    if (const auto found = source.textures.find(path); found != source.textures.end())
-        losses_.spare("the texture is left out", [&] { use = find_texture(found->second, last_word(path)); });
-    return use;
+    const auto found = source.textures.find(path);
+    return found == source.textures.end() ? TextureUse()
+                                          : textures_.read(found->second, name_, last_word(path));
 }
 
-TextureUse MaterialReader::find_texture(const gltf::TextureInfo& info, std::string_view slot)
-{
-    TextureUse use;
-    const auto& textures = document_.model.textures;
-    if (at(info.index) >= textures.size())
-        document_.fail(name_, ", ", slot, ": texture ", info.index, " does not exist");
-    const gltf::Texture& texture = textures[at(info.index)];
-    if (texture.is_broken)
-        throw told_already();
-    use.sampler = read_sampler(texture.sampler);
-    use.texcoord = info.tex_coord;
-    if (info.transform) {
-        use.transform = transform_of(*info.transform);
-        use.texcoord = info.transform->tex_coord.value_or(info.tex_coord);
-    }
-    if (texture.source < 0) {
-        warn(slot, ": texture ", info.index, " has no PNG or JPEG image: left out");
-        return {};
-    }
-    if (at(texture.source) >= document_.model.images.size())
-        document_.fail("texture ", info.index, ": image ", texture.source, " does not exist");
-    use.image = scene_image(texture.source);
-    return use;
-}
-
-// By the rows of shading/material/parameters.h, whose factors are all from 0 to 1.
+// Reads the rows of shading/material/parameters.h, whose factors all range from 0 to 1.
 void MaterialReader::read_parameters(const gltf::Material& source, Material& material)
 {
 #define READ(target, object, key, value, words)                                                              \
@@ -193,7 +128,7 @@ void MaterialReader::read_numbers(const gltf::Material& source, const Factor& fa
         to[i] = read_factor(source, factor, i);
 }
 
-// By those of shading/material/textures.h.
+// Reads the rows of shading/material/textures.h.
 void MaterialReader::read_textures(const gltf::Material& source, Material& material)
 {
 #define TEXTURE(name, number, transfer, object, key)                                                         \
@@ -219,7 +154,7 @@ void MaterialReader::read_alpha(const gltf::Material& source, Material& material
     else if (source.alpha_mode == "BLEND")
         material.alpha_mode = AlphaMode::blend;
     else
-        warn("alphaMode \"", printable(source.alpha_mode), "\" is not one of glTF: OPAQUE is used");
+        warn("alphaMode \"", printable(source.alpha_mode), "\" is not defined by glTF: OPAQUE is used");
     material.alpha_cutoff = read_factor(source, alpha_cutoff);
 }
 
@@ -293,7 +228,7 @@ TextureNeeds texture_needs(const Material& material)
         if (use.image >= 0)
             needs.texcoords.insert(use.texcoord);
     });
-    // Tangents are the mesh's: of several maps the first decides which way they go.
+    // A mesh has one set of tangents, which follow the first of several normal maps.
     const auto need_tangents = [&](const TextureUse& use) {
         if (use.image < 0 || needs.normal_map_set >= 0)
             return;

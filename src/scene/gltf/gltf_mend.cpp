@@ -14,7 +14,7 @@ bool is_finite(const glm::vec3& v)
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// Of a mesh that is not empty.
+// Some vertex of a mesh that is not empty.
 std::uint32_t some_corner(const Mesh& mesh)
 {
     if (!mesh.triangles.empty())
@@ -26,7 +26,7 @@ std::uint32_t some_corner(const Mesh& mesh)
 
 std::size_t clamp_colors(std::vector<glm::vec4>& colors)
 {
-    constexpr float slack = 1e-4f; // what exporters' own arithmetic leaves
+    constexpr float slack = 1e-4f; // rounding errors of exporters
     std::size_t count = 0;
     for (glm::vec4& color : colors) {
         const glm::vec4 kept = glm::clamp(color, 0.0f, 1.0f);

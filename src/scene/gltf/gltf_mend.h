@@ -1,4 +1,4 @@
-// Vertices that are not what they may be, made so.
+// Repair of invalid vertices.
 #pragma once
 
 #include "scene/scene.h"
@@ -8,11 +8,11 @@
 
 namespace lambent::scene {
 
-/// Vertex colours brought into [0, 1]. [glTF 2.0, 3.7.2.1] Returns how many were clearly outside.
+/// Clamps vertex colours to [0, 1]. [glTF 2.0, 3.7.2.1] Returns how many were outside by more than rounding errors.
 std::size_t clamp_colors(std::vector<glm::vec4>& colors);
 
-/// Removes the triangles, lines and points of vertices whose positions are not finite, and puts those vertices where another
-/// is. Returns how many went.
+/// Removes triangles, lines and points with vertices whose positions are not finite, and moves these vertices to the
+/// position of another. Returns how many elements were removed.
 std::size_t remove_broken_elements(Mesh& mesh);
 
 } // namespace lambent::scene

@@ -16,20 +16,20 @@
 namespace lambent::scene {
 namespace {
 
-// Primitives may share accessors, and a small file may share a few of them a million times. Two million
-// elements are free; beyond that a file may ask for so many for each byte of its buffers. Ordinary vertices
-// with their indices take about 40 bytes and 6 elements: a hundred materials may be put on the same geometry.
+// Limit of the elements read: a constant, and a multiple of the bytes of all buffers. Primitives may share accessors,
+// and a small file could share a few of them a million times. Ordinary vertices with their indices take about 40 bytes
+// and 6 elements, so a hundred primitives may share the same geometry.
 constexpr std::uint64_t free_elements = 2'000'000;
 constexpr std::uint64_t elements_per_byte = 16;
 
-using Results = std::vector<PrimitiveResult>; // of each request
+using Results = std::vector<PrimitiveResult>; // one per request
 
 bool is_known(const ShapeStore& shapes, std::size_t request)
 {
     return shapes.known != nullptr && (*shapes.known)[request].has_value();
 }
 
-// Before anything large is allocated. Returns which requests are lost already.
+// Checks all requests before anything large is allocated. In the results, invalid requests are marked as lost.
 Results check_work(const Document& document, const ShapeStore& shapes, const Plan& plan)
 {
     Results results(plan.requests.size());
@@ -74,21 +74,20 @@ void warn(const Document& document, const PrimitiveNotes& notes, const Plan& pla
     warn_if(plan.without_positions, " primitives without positions left out");
     warn_if(notes.left_over_indices, " indices after the last whole triangle or line left out");
     warn_if(notes.left_out_displacements, " morph targets of texture coordinates or colours left out");
-    warn_if(plan.odd_weights, " primitives have another number of morph targets than of weights for them");
-    warn_if(
-        notes.restarts,
-        " indices are the largest number of their type, which is no vertex: triangles and lines end there");
+    warn_if(plan.odd_weights, " primitives have more or fewer morph targets than weights");
+    warn_if(notes.restarts, " indices are the largest of their type, which restarts the primitive: triangles "
+                            "and lines end there");
     warn_if(notes.broken_elements, " triangles, lines or points with positions that are not finite left out");
-    warn_if(notes.rebuilt_normals, " normals of no length rebuilt from the faces");
-    warn_if(notes.rebuilt_tangents, " tangents of no use replaced");
+    warn_if(notes.rebuilt_normals, " normals without length rebuilt from the faces");
+    warn_if(notes.rebuilt_tangents, " unusable tangents replaced");
     warn_if(notes.replaced_texcoords, " texture coordinates were not finite: replaced by 0");
     warn_if(notes.replaced_colors, " vertex colours were not finite: replaced by white");
     warn_if(notes.clamped_colors, " vertex colours outside of 0 to 1 clamped");
     warn_if(notes.missing_texcoords,
-            " primitives have textures but not the texture coordinates they are read at: (0, 0) is used");
+            " primitives have textures but not their texture coordinates: (0, 0) is used");
 }
 
-// Squares of distances must fit a float with room to spare; nobody draws the Milky Way in metres.
+// Whether all coordinates are below 1e18 m, so that squared distances fit a float.
 bool is_within_reach(const glm::dmat4& transform, float reach)
 {
     constexpr double farthest = 1e18;
@@ -102,8 +101,8 @@ bool is_within_reach(const glm::dmat4& transform, float reach)
     return true;
 }
 
-// The instances that are out of sight show a mesh without triangles. Their material stays: whether anything is
-// transparent should not depend on the moment.
+// Makes instances that cannot be drawn refer to an empty mesh. They keep their materials, so that whether a scene has
+// transparent ones does not change from moment to moment.
 void hide(const std::vector<std::size_t>& hidden, DrawnMeshes& drawn)
 {
     const auto nothing = static_cast<int>(drawn.meshes.size());
@@ -114,7 +113,7 @@ void hide(const std::vector<std::size_t>& hidden, DrawnMeshes& drawn)
     drawn.meshes.emplace_back();
 }
 
-// Tells what the primitives lost, and throws where that leaves nothing to draw.
+// Reports the faults of primitives, and throws if they leave nothing to draw.
 void tell_losses(const std::string& lost_before, const Results& results, Losses& losses)
 {
     std::string first = lost_before;
@@ -130,7 +129,7 @@ void tell_losses(const std::string& lost_before, const Results& results, Losses&
         refuse(first);
 }
 
-// The first of the losses that may have cost something to draw, before any primitive is read.
+// The first fault, before any primitive is read, that may have cost geometry.
 std::string first_loss(const Document& document, const NodeTree& nodes, const Plan& plan)
 {
     for (const std::string* loss : {&document.first_loss, &nodes.first_loss, &plan.first_loss})
@@ -139,8 +138,8 @@ std::string first_loss(const Document& document, const NodeTree& nodes, const Pl
     return {};
 }
 
-// World from mesh. A skinned mesh is in the world by its joints, whatever its node; its instances move it from there, about
-// the world's own origin.
+// World from mesh. Joints, not its node, place a skinned mesh in the world; its instances transform it from there,
+// about the world's own origin.
 glm::dmat4 transform_of(const NodeTree& nodes, const Plan& plan, const Plan::Use& use, bool in_world)
 {
     const glm::dmat4 node = in_world ? glm::dmat4(1.0) : nodes.world[at(use.node)];
@@ -153,15 +152,16 @@ glm::dmat4 transform_of(const NodeTree& nodes, const Plan& plan, const Plan::Use
            glm::translate(glm::dmat4(1.0), nodes.origin);
 }
 
-// Instances that cannot be drawn as they stand.
-class OutOfSight {
+// Finds instances that cannot be drawn with their transforms, and reports them.
+class UndrawableInstances {
 public:
-    OutOfSight(const Document& document, Warnings& warnings)
+    UndrawableInstances(const Document& document, Warnings& warnings)
         : document_(document), warnings_(warnings), losses_(document.file, warnings)
     {
     }
 
-    bool holds(const Plan::Use& use, const glm::dmat4& transform, float reach)
+    // Whether the instance cannot be drawn; if so, counts or reports it.
+    bool add_if(const Plan::Use& use, const glm::dmat4& transform, float reach)
     {
         const bool flat = !is_invertible(transform);
         if (!flat && is_within_reach(transform, reach))
@@ -177,7 +177,7 @@ public:
         return true;
     }
 
-    // The last fault of a node that is too far away; empty: none is.
+    // The last message about a node that is too far away; empty: none.
     const std::string& far() const { return far_; }
 
     void warn() const
@@ -187,7 +187,8 @@ public:
                 warnings_.push_back(text(document_.file, ": ", count, what));
         };
         warn_if(singular_, " instances flattened by a singular transform: left out");
-        warn_if(useless_, " of the nodes' own instances are flat, not finite or out of reach: left out");
+        warn_if(useless_,
+                " instances of EXT_mesh_gpu_instancing are flat, not finite or too far away: left out");
     }
 
 private:
@@ -198,19 +199,19 @@ private:
     std::string far_;
 };
 
-// Instances of the results that have anything to draw; those results become meshes, in order. Throws where all is too
-// far away.
+// Adds the instances of results that are not empty, and the meshes of these, in order. Throws if everything is too far
+// away.
 void assemble(const Document& document, const NodeTree& nodes, const Plan& plan, MeshTable& table,
               Warnings& warnings)
 {
     const bool moves = !nodes.pose.empty();
     DrawnMeshes& drawn = table.drawn();
-    OutOfSight out_of_sight(document, warnings);
+    UndrawableInstances undrawable(document, warnings);
     std::vector<std::size_t> hidden;
     for (const Plan::Use& use : plan.uses) {
         const PrimitiveResult& result = table.result(use.request);
         const glm::dmat4 transform = transform_of(nodes, plan, use, result.in_world);
-        const bool hides = out_of_sight.holds(use, transform, result.reach);
+        const bool hides = undrawable.add_if(use, transform, result.reach);
         if (hides && !moves)
             continue;
         const int mesh = table.use(use.request);
@@ -220,15 +221,15 @@ void assemble(const Document& document, const NodeTree& nodes, const Plan& plan,
             hidden.push_back(drawn.instances.size());
         drawn.instances.push_back({mesh, -1, glm::mat4(transform)});
     }
-    if (!out_of_sight.far().empty() && hidden.size() == drawn.instances.size())
-        refuse(out_of_sight.far());
+    if (!undrawable.far().empty() && hidden.size() == drawn.instances.size())
+        refuse(undrawable.far());
     if (moves)
         hide(hidden, drawn);
-    out_of_sight.warn();
+    undrawable.warn();
     if (table.left_out() != 0)
         warnings.push_back(text(document.file, ": ", table.left_out(),
-                                " instances of points and lines, which are more than ", most_repeated_lines,
-                                " in all: left out"));
+                                " instances of points and lines beyond the limit of ", most_repeated_lines,
+                                " left out"));
 }
 
 } // namespace

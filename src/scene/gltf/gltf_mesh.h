@@ -1,4 +1,4 @@
-// Meshes and where they stand.
+// The meshes of the drawn nodes, and their instances.
 #pragma once
 
 #include "scene/gltf_document/gltf_document.h"
@@ -18,21 +18,21 @@ struct DrawnMeshes {
     MaterialTable materials;
 };
 
-/// What read_meshes made of each primitive whose shape no animation changes; none: it may change.
+/// The result of each primitive whose shape no animation changes; none for others.
 using StillShapes = std::vector<std::optional<PrimitiveResult>>;
 
-/// Shapes that go from pose to pose of one file.
+/// Shapes that the poses of one file share.
 struct ShapeStore {
-    const StillShapes* known = nullptr; ///< what another pose kept, if any: not read again
-    StillShapes* keep = nullptr;        ///< where this one shall keep them, if anywhere
+    const StillShapes* known = nullptr; ///< those kept by another pose, which are not read again; null: none
+    StillShapes* keep = nullptr;        ///< receives those of this pose; null: they are not kept
 };
 
-/// Reads every primitive under the drawn nodes once for all nodes that share it; skinned ones, and those
-/// whose node has morph weights of its own or animated ones, once for each node. In parallel. Nodes, and instances of
-/// theirs, with a singular transform are left out with a warning; where the file has animations they show an empty mesh, the last
-/// one, instead: its meshes, instances and materials are the same ones at every moment. Primitives, or parts of them,
-/// that cannot be read are left out with a warning. Throws Error(bad_input) where that leaves nothing to draw, and where
-/// sharing would blow a small file up into unreasonably much geometry.
+/// Reads the primitives of the drawn nodes, in parallel: each once for all nodes that share it, but skinned ones, and
+/// those whose node has its own or animated morph weights, once per node. Nodes and instances with a singular
+/// transform are left out with a warning; in a file with animations they refer to an empty mesh, the last one,
+/// instead, so that meshes, instances and materials are the same at every moment. Primitives, or parts of them, that
+/// cannot be read are left out with a warning. Throws Error(bad_input) if that leaves nothing to draw, and if sharing
+/// would expand a small file to unreasonably much geometry.
 DrawnMeshes read_meshes(const Document& document, const NodeTree& nodes, const ShapeStore& shapes,
                         Warnings& warnings);
 

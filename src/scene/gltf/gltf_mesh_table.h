@@ -1,4 +1,4 @@
-// Which of the primitives that were read become meshes of the scene.
+// The meshes of a scene, made of the primitives that were read.
 #pragma once
 
 #include "scene/gltf/gltf_mesh.h"
@@ -9,16 +9,17 @@
 
 namespace lambent::scene {
 
-/// Turns what was read into meshes, in the order of first use.
+/// Turns results into meshes, in the order of first use.
 class MeshTable {
 public:
-    /// `materials` of each result, as the file numbers them. In a file that `moves`, what was lost at this moment may be
-    /// there at another, and becomes an empty mesh. All must outlive it; results that become meshes lose theirs.
+    /// `materials` are the file's indices, one per result. In a file that `moves`, a primitive that is lost at this
+    /// moment may be valid at another, and becomes an empty mesh. All arguments must outlive this; results that become
+    /// meshes lose theirs.
     MeshTable(std::span<PrimitiveResult> results, std::span<const int> materials, bool moves,
               DrawnMeshes& drawn);
 
-    /// The mesh of a result, for one instance more; -1: there is none, for nothing is in it, or it holds points and lines
-    /// that have been shown too often, which is counted.
+    /// The mesh of a result, for one more instance; -1 if it is empty, or if its points and lines exceed the limit,
+    /// which is counted.
     int use(std::size_t result);
 
     const PrimitiveResult& result(std::size_t index) const { return results_[index]; }
@@ -32,11 +33,11 @@ private:
     std::span<const int> materials_;
     bool moves_;
     DrawnMeshes& drawn_;
-    std::vector<int> mesh_of_; ///< each result; -1: none yet
+    std::vector<int> mesh_of_; ///< of each result; -1: none yet
     std::size_t repeated_ = 0, left_out_ = 0;
 };
 
-/// Points and lines become triangles for each instance that shows them: the first is free, of others so many are drawn.
+/// Limit of points and lines drawn by instances after a mesh's first: they become triangles for each instance anew.
 constexpr std::size_t most_repeated_lines = 4'000'000;
 
 } // namespace lambent::scene

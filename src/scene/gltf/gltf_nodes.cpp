@@ -18,10 +18,10 @@ namespace {
 
 constexpr int no_parent = -1;
 
-// Faults in the hierarchy: each costs the link it is about.
-class Complaints {
+// Reports faults in the hierarchy.
+class HierarchyFaults {
 public:
-    Complaints(const Document& document, Warnings& warnings)
+    HierarchyFaults(const Document& document, Warnings& warnings)
         : file_(document.file), losses_(document.file, warnings)
     {
     }
@@ -32,7 +32,7 @@ public:
         losses_.add(text(file_, ": ", parts...), cost);
     }
 
-    // Of what may have had something to draw.
+    // A fault that may cost geometry.
     template <class... Parts>
     void lose(const char* cost, const Parts&... parts)
     {
@@ -49,13 +49,13 @@ private:
     std::string first_;
 };
 
-// The file's nodes as a forest: each has one parent at most, and nobody is his own ancestor.
+// The file's nodes as a forest: each has one parent at most, and none is its own ancestor.
 struct Forest {
     std::vector<int> parents;
     std::vector<std::vector<int>> children;
 };
 
-Forest find_links(const Document& document, Complaints& complaints)
+Forest find_links(const Document& document, HierarchyFaults& faults)
 {
     const auto& nodes = document.model.nodes;
     Forest forest{std::vector<int>(nodes.size(), no_parent), std::vector<std::vector<int>>(nodes.size())};
@@ -64,10 +64,10 @@ Forest find_links(const Document& document, Complaints& complaints)
             if (child == gltf::unreadable_index)
                 continue;
             if (child < 0 || at(child) >= nodes.size()) {
-                complaints.lose("left out", "node ", node, ": child ", child, " does not exist");
+                faults.lose("left out", "node ", node, ": child ", child, " does not exist");
             } else if (forest.parents[at(child)] != no_parent) {
-                complaints.lose("the first counts", "node ", child, " has two parents, ",
-                                forest.parents[at(child)], " and ", node);
+                faults.lose("the first one is kept", "node ", child, " has two parents, ",
+                            forest.parents[at(child)], " and ", node);
             } else {
                 forest.parents[at(child)] = static_cast<int>(node);
                 forest.children[node].push_back(child);
@@ -77,17 +77,17 @@ Forest find_links(const Document& document, Complaints& complaints)
     return forest;
 }
 
-glm::dmat4 matrix_transform(const Document& document, std::size_t node, Complaints& complaints)
+glm::dmat4 matrix_transform(const Document& document, std::size_t node, HierarchyFaults& faults)
 {
     const std::vector<double>& values = document.model.nodes[node].matrix;
     glm::dmat4 matrix;
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row)
             matrix[column][row] = values[static_cast<std::size_t>(column * 4 + row)];
-    constexpr double slack = 1e-6; // exporters write what their own inverse left over
+    constexpr double slack = 1e-6; // rounding errors of exporters
     if (std::abs(matrix[0][3]) > slack || std::abs(matrix[1][3]) > slack || std::abs(matrix[2][3]) > slack ||
         std::abs(matrix[3][3] - 1.0) > slack)
-        complaints.add("its last row is ignored", "node ", node, ": its matrix is not affine");
+        faults.add("its last row is ignored", "node ", node, ": its matrix is not affine");
     matrix[0][3] = matrix[1][3] = matrix[2][3] = 0.0;
     matrix[3][3] = 1.0;
     return matrix;
@@ -99,12 +99,12 @@ struct LocalTransform {
 };
 
 LocalTransform local_transform(const Document& document, std::size_t index, const NodePose& pose,
-                               Complaints& complaints)
+                               HierarchyFaults& faults)
 {
     const gltf::Node& node = document.model.nodes[index];
     LocalTransform local;
     if (!node.matrix.empty()) {
-        local.matrix = matrix_transform(document, index, complaints);
+        local.matrix = matrix_transform(document, index, faults);
         return local;
     }
     if (pose.translation)
@@ -120,7 +120,7 @@ LocalTransform local_transform(const Document& document, std::size_t index, cons
             local.rotation_was_unit = std::abs(length - 1.0) < 1e-2;
             local.matrix *= glm::mat4_cast(quaternion / length);
         } else {
-            complaints.add("ignored", "node ", index, ": its rotation has no length");
+            faults.add("ignored", "node ", index, ": its rotation has no length");
         }
     }
     if (pose.scale)
@@ -150,12 +150,12 @@ std::vector<int> all_roots(const std::vector<int>& parents)
 }
 
 std::vector<int> scene_roots(const Document& document, const std::vector<int>& parents,
-                             Complaints& complaints)
+                             HierarchyFaults& faults)
 {
     const auto& model = document.model;
     int scene = std::max(model.scene, 0);
     if (at(scene) >= model.scenes.size() && model.scene >= 0) {
-        complaints.add("ignored", "scene ", scene, " does not exist");
+        faults.add("ignored", "scene ", scene, " does not exist");
         scene = 0;
     }
     if (model.scenes.empty())
@@ -166,16 +166,16 @@ std::vector<int> scene_roots(const Document& document, const std::vector<int>& p
         if (root == gltf::unreadable_index)
             continue;
         if (root < 0 || at(root) >= parents.size()) {
-            complaints.lose("left out", "scene ", scene, ": node ", root, " does not exist");
+            faults.lose("left out", "scene ", scene, ": node ", root, " does not exist");
             continue;
         }
         if (listed[at(root)]) {
-            complaints.add("drawn once", "scene ", scene, ": node ", root, " is listed twice");
+            faults.add("drawn once", "scene ", scene, ": node ", root, " is listed twice");
             continue;
         }
         if (parents[at(root)] != no_parent)
-            complaints.add("drawn where that puts it", "scene ", scene, ": node ", root, " is no root: node ",
-                           parents[at(root)], " is its parent");
+            faults.add("the parent's transform applies", "scene ", scene, ": root node ", root,
+                       " has a parent, node ", parents[at(root)]);
         listed[at(root)] = true;
         roots.push_back(root);
     }
@@ -201,8 +201,9 @@ std::vector<int> preorder(const Forest& forest, const std::vector<int>& roots)
     return order;
 }
 
-// With one parent each, nodes that no root reaches go round in circles, or hang on one. Each circle loses one link.
-void cut_cycles(Forest& forest, Complaints& complaints)
+// Since each node has at most one parent, nodes that no root reaches are in or below a cycle. One link of each cycle is
+// removed.
+void cut_cycles(Forest& forest, HierarchyFaults& faults)
 {
     std::vector<bool> reached(forest.parents.size(), false);
     for (const int node : preorder(forest, all_roots(forest.parents)))
@@ -214,7 +215,7 @@ void cut_cycles(Forest& forest, Complaints& complaints)
         auto node = static_cast<int>(start);
         for (; !passed[at(node)]; node = forest.parents[at(node)])
             passed[at(node)] = true;
-        complaints.lose("cut off from its parent", "node ", node, " is its own ancestor");
+        faults.lose("cut off from its parent", "node ", node, " is its own ancestor");
         std::erase(forest.children[at(forest.parents[at(node)])], node);
         forest.parents[at(node)] = no_parent;
         for (std::vector<int> waiting = {node}; !waiting.empty();) {
@@ -231,9 +232,9 @@ void cut_cycles(Forest& forest, Complaints& complaints)
 
 NodeTree build_node_tree(const Document& document, Pose pose, Warnings& warnings)
 {
-    Complaints complaints(document, warnings);
-    Forest forest = find_links(document, complaints);
-    cut_cycles(forest, complaints);
+    HierarchyFaults faults(document, warnings);
+    Forest forest = find_links(document, faults);
+    cut_cycles(forest, faults);
     const std::vector<int>& parents = forest.parents;
 
     NodeTree tree;
@@ -244,25 +245,25 @@ NodeTree build_node_tree(const Document& document, Pose pose, Warnings& warnings
     for (const int node : preorder(forest, all_roots(parents))) {
         const auto posed = pose.find(node);
         const LocalTransform local =
-            local_transform(document, at(node), posed == pose.end() ? at_rest : posed->second, complaints);
+            local_transform(document, at(node), posed == pose.end() ? at_rest : posed->second, faults);
         odd_rotations += local.rotation_was_unit ? 0 : 1;
         const int parent = parents[at(node)];
         glm::dmat4& world = tree.world[at(node)];
         world = parent == no_parent ? local.matrix : tree.world[at(parent)] * local.matrix;
-        // Cameras are there all the same. [KHR_node_visibility]
+        // Cameras are not affected. [KHR_node_visibility]
         tree.hidden[at(node)] =
             !document.model.nodes[at(node)].visible || (parent != no_parent && tree.hidden[at(parent)]);
         if (fits_floats(world))
             continue;
-        complaints.lose("left out", "node ", node, ": its transform in the world is not finite");
-        world = glm::scale(glm::dmat4(1.0), glm::dvec3(0.0)); // as what is flattened
+        faults.lose("left out", "node ", node, ": its transform in the world is not finite");
+        world = glm::scale(glm::dmat4(1.0), glm::dvec3(0.0)); // a point, like other flattened nodes
     }
     if (odd_rotations != 0)
         warnings.push_back(
             text(document.file, ": ", odd_rotations, " node rotations were not of unit length: normalised"));
-    tree.drawn = preorder(forest, scene_roots(document, parents, complaints));
+    tree.drawn = preorder(forest, scene_roots(document, parents, faults));
     tree.pose = std::move(pose);
-    tree.first_loss = complaints.first();
+    tree.first_loss = faults.first();
     return tree;
 }
 

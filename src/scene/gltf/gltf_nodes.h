@@ -14,33 +14,33 @@
 
 namespace lambent::scene {
 
-/// What a node has at a moment in place of what the file says; what is unset stays as it is there.
+/// Properties of a node at a moment, in place of the file's. Those that are unset stay as in the file.
 struct NodePose {
     std::optional<glm::dvec3> translation;
     std::optional<glm::dquat> rotation; ///< unit length
     std::optional<glm::dvec3> scale;
-    bool morphs = false;         ///< whether its morph targets' weights change from moment to moment
-    std::vector<double> weights; ///< where it does: those weights
+    bool morphs = false;         ///< whether its morph weights are animated
+    std::vector<double> weights; ///< the morph weights, if animated
 };
 
-/// Of the nodes that may move, by number. Empty: nothing in the file ever moves.
+/// The poses of nodes that any animation moves, by index. Empty: no animation moves any.
 using Pose = std::map<int, NodePose>;
 
 struct NodeTree {
     std::vector<glm::dmat4> world; ///< of every node of the file: world from node; finite, affine
-    glm::dvec3 origin{0.0};        ///< the point of the world that places are relative to
+    glm::dvec3 origin{0.0};        ///< the point of the world that positions are relative to
     std::vector<int> drawn;        ///< nodes of the scene, parents before children, in the order of the file
     std::vector<bool> hidden;      ///< of every node of the file: its meshes and lights are not shown
-    Pose pose;                     ///< what the transforms were made with
-    std::string first_loss;        ///< the first fault that may have cost something to draw; empty: none
+    Pose pose;                     ///< the pose that the transforms are for
+    std::string first_loss;        ///< message of the first fault that may have cost geometry; empty: none
 };
 
-/// Works out world transforms without recursion. The drawn scene is the default one, else the first, else
-/// (a file without scenes) all roots.
-/// Faults cost, with a warning, the link that they are about: children and roots that do not exist, a second parent, the
-/// link that closes a circle. A root that has a parent is drawn where that puts it. A matrix that is not affine loses its
-/// last row, a rotation without length does not turn, and what is not finite in the world is flattened to a point.
-/// Rotations that are not of unit length are normalised, with one warning.
+/// Computes world transforms without recursion. The drawn scene is the default one, else the first, else (in a file
+/// without scenes) all roots. Faulty links are removed with a warning: to children and roots that do not exist, to a
+/// second parent, and the link that closes a cycle. The transform of a root that has a parent includes the parent's. A
+/// matrix that is not affine loses its last row, a rotation without length is ignored, and a node whose world
+/// transform is not finite is flattened to a point. Rotations that are not of unit length are normalised, with one
+/// warning.
 NodeTree build_node_tree(const Document& document, Pose pose, Warnings& warnings);
 
 /// Makes all world transforms relative to a point of the world.

@@ -10,9 +10,10 @@
 namespace lambent::scene {
 namespace {
 
+// Limit of instances by nodes.
 constexpr std::size_t most_instances = 1'000'000;
-// Of nodes' own instances: each of them takes a few hundred bytes once it is drawn, and at least four in a file, but for
-// accessors that are all zeros.
+// Limits of nodes' own instances. Each takes a few hundred bytes once it is drawn, and at least four bytes of a file,
+// except for accessors that are all zeros.
 constexpr std::size_t free_node_instances = 100'000;
 constexpr std::uint64_t bytes_per_node_instance = 4;
 constexpr std::size_t most_node_instances = 4'000'000;
@@ -48,7 +49,7 @@ private:
         }
         const auto pose = nodes_.pose.find(node);
         const NodePose* morphing = pose != nodes_.pose.end() && pose->second.morphs ? &pose->second : nullptr;
-        // Deformed by the node: no other node sees the same shape.
+        // The node deforms the mesh, so other nodes cannot share its shape.
         const bool alone = source.skin >= 0 || !source.weights.empty() || morphing != nullptr;
         Range range;
         if (const auto shared = shared_.find(source.mesh); !alone && shared != shared_.end()) {
@@ -71,7 +72,7 @@ private:
             plan_.uses.push_back({node, request});
     }
 
-    // Whether the node says itself where its mesh is shown.
+    // Adds the node's own instances. Returns whether it has any.
     bool add_instances(int node, const Range& range)
     {
         const std::size_t primitives = std::max<std::size_t>(range.end - range.begin, 1);
@@ -111,7 +112,7 @@ private:
         return {begin, plan_.requests.size()};
     }
 
-    // Counts what has no positions.
+    // Whether the primitive can be drawn. Counts those without positions.
     bool draws(const PrimitiveRequest& request)
     {
         try {
@@ -124,7 +125,7 @@ private:
         return false;
     }
 
-    // No matrices: it cannot be read, and what it moves is drawn without it.
+    // The matrices of a skin; empty if it cannot be read: its meshes are drawn without it.
     const std::vector<glm::mat4>& skin(int index)
     {
         const auto [found, is_new] = plan_.skins.try_emplace(index);

@@ -1,4 +1,4 @@
-// Which primitives are read, and who shows them.
+// The plan of the primitives that are read, and of the nodes that show them.
 #pragma once
 
 #include "scene/gltf/gltf_instancing.h"
@@ -15,21 +15,21 @@
 
 namespace lambent::scene {
 
-/// Movable only: requests point into `skins`.
+/// Not copyable, since requests refer to `skins`.
 struct Plan {
     struct Use {
         int node;
         std::size_t request;
-        int instance = -1; ///< of the node's own; -1: it has none
+        int instance = -1; ///< of the node's own instances; -1: it has none
     };
 
     std::vector<PrimitiveRequest> requests;
-    std::vector<int> materials; ///< of each request, as the file numbers them
+    std::vector<int> materials; ///< of each request, the file's index
     std::vector<bool> still;    ///< of each request, whether its shape is the same at every moment
     std::vector<Use> uses;
     std::map<int, NodeInstances> instances; ///< by node
-    std::map<int, std::vector<glm::mat4>>
-        skins;                         ///< by skin: world from mesh for each joint; none where it is broken
+    /// By skin: world from mesh for each joint; empty if it is broken.
+    std::map<int, std::vector<glm::mat4>> skins;
     std::size_t without_positions = 0; ///< primitives left out
     std::size_t odd_weights = 0;       ///< primitives with another number of targets than weights
     std::string first_loss;            ///< the first fault that cost a primitive or mesh; empty: none
@@ -39,8 +39,8 @@ struct Plan {
     Plan& operator=(Plan&&) = default;
 };
 
-/// Walks the drawn nodes. What cannot be read of meshes, skins and the nodes' own instances is left out with a warning.
-/// Throws Error(bad_input) for more instances than there may be.
+/// Visits the drawn nodes. Meshes, skins and nodes' own instances that cannot be read are left out with a warning.
+/// Throws Error(bad_input) for too many instances.
 Plan make_plan(const Document& document, const NodeTree& nodes, Losses& losses);
 
 } // namespace lambent::scene

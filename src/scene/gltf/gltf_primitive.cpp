@@ -31,7 +31,7 @@ std::string primitive_name(int mesh, int primitive)
     return text("mesh ", mesh, ", primitive ", primitive);
 }
 
-// The corners, and the number among them that is none.
+// The vertex indices of a primitive, and the index among them that restarts it.
 struct Corners {
     std::vector<std::uint32_t> list;
     std::uint32_t restart = std::numeric_limits<std::uint32_t>::max();
@@ -70,7 +70,8 @@ bool is_finite(const Vector& vector)
     return true;
 }
 
-// Returns the largest coordinate, sign aside. Throws where nothing is between finite ones.
+// Returns the largest absolute coordinate. Removes elements whose positions are not finite, and throws if none are
+// left.
 float check_positions(const Document& document, const PrimitivePart& part, Mesh& mesh, PrimitiveNotes& notes)
 {
     glm::vec3 reach(0.0f);
@@ -101,7 +102,6 @@ std::size_t replace_not_finite(std::vector<Vector>& vectors, float replacement)
     return count;
 }
 
-// Lines without normals keep none, and lines without tangents go without normal maps. [glTF 2.0, 3.9.6]
 void complete_triangles(const TextureNeeds& needs, Mesh& mesh, PrimitiveNotes& notes)
 {
     if (mesh.normals.empty())
@@ -114,7 +114,8 @@ void complete_triangles(const TextureNeeds& needs, Mesh& mesh, PrimitiveNotes& n
         make_tangents(mesh, set, needs.normal_map_transform);
 }
 
-// Normals and tangents last: morph targets and skins move what they are made from.
+// Completes normals and tangents last, since morph targets and skins move the vertices that these depend on. Points
+// and lines get no normals, and no tangents for normal maps. [glTF 2.0, 3.9.6]
 void complete(const TextureNeeds& needs, Mesh& mesh, PrimitiveNotes& notes)
 {
     for (auto& [number, set] : mesh.texcoords)
@@ -152,7 +153,7 @@ bool is_drawable(const Document& document, int mesh, int primitive)
 {
     const gltf::Primitive& source = find_primitive(document, mesh, primitive);
     if (source.mode < gltf::Mode::points || source.mode > gltf::Mode::triangle_fan)
-        document.fail(primitive_name(mesh, primitive), ": mode ", source.mode, " is not one of glTF");
+        document.fail(primitive_name(mesh, primitive), ": mode ", source.mode, " is not defined by glTF");
     return source.attributes.contains("POSITION");
 }
 
@@ -167,7 +168,7 @@ std::uint64_t check_request(const Document& document, const PrimitiveRequest& re
         sparse += sparse_count(document, accessor);
         return static_cast<std::uint64_t>(accessor_count(document, use));
     };
-    // What is faulty here is left out when it is read, and told of then.
+    // A faulty attribute is left out, and reported, when it is read.
     const auto check_if_whole = [&](int accessor, const std::string& what) {
         try {
             check(accessor, what);
@@ -178,7 +179,8 @@ std::uint64_t check_request(const Document& document, const PrimitiveRequest& re
     accessor_count(document, {position, name + ", POSITION", false, {}});
     const gltf::Accessor& positions = document.model.accessors[at(position)];
     if (positions.buffer_view < 0 && !positions.sparse && primitive.has_draco)
-        document.fail(name, ": its geometry is only there as KHR_draco_mesh_compression, which is not read");
+        document.fail(name,
+                      ": its geometry is compressed by KHR_draco_mesh_compression, which is not supported");
     std::uint64_t visits = check(position, "POSITION");
     if (primitive.indices >= 0)
         visits = check(primitive.indices, "indices");

@@ -1,4 +1,4 @@
-// One primitive of the file becomes one mesh.
+// Reading of a primitive of the file, which becomes one mesh.
 #pragma once
 
 #include "scene/gltf_document/gltf_document.h"
@@ -13,7 +13,7 @@
 
 namespace lambent::scene {
 
-/// What the primitive's material asks of its vertices.
+/// The vertex data that the primitive's material needs.
 struct TextureNeeds {
     std::set<int> texcoords; ///< the sets that some texture reads
     int normal_map_set = -1; ///< the set of the normal texture; -1: none
@@ -28,7 +28,7 @@ struct PrimitiveRequest {
     TextureNeeds needs;
 };
 
-/// What happened that the user should know, counted.
+/// Counts of repairs and omissions that the user should know of.
 struct PrimitiveNotes {
     std::size_t rebuilt_normals = 0;
     std::size_t rebuilt_tangents = 0;
@@ -38,7 +38,7 @@ struct PrimitiveNotes {
     std::size_t missing_texcoords = 0;      ///< primitives whose material reads a set they do not have
     std::size_t left_out_displacements = 0; ///< morph targets of texture coordinates or colours
     std::size_t clamped_colors = 0;         ///< were outside of [0, 1]
-    std::size_t restarts = 0;               ///< indices that are no vertex but end what they are in
+    std::size_t restarts = 0;               ///< indices that restart the primitive
     std::size_t broken_elements =
         0; ///< triangles, lines and points of positions that are not finite: left out
 
@@ -48,27 +48,27 @@ struct PrimitiveNotes {
 struct PrimitiveResult {
     Mesh mesh;             ///< material left at 0; empty where the primitive has no triangle, line or point
     bool in_world = false; ///< skinned: the node's transform does not apply
-    bool of_lines = false; ///< lines or points, also where they are lost
+    bool of_lines = false; ///< lines or points, also if these are lost
     bool unlit = false;    ///< without normals: lines or points only
-    float reach = 0.0f;    ///< largest coordinate of a position, sign aside
+    float reach = 0.0f;    ///< largest absolute coordinate of a position
     PrimitiveNotes notes;
     Warnings faults;      ///< one line for each part that was left out
     bool is_lost = false; ///< left out whole: an empty mesh
-    std::string loss;     ///< why, unless that was told
+    std::string loss;     ///< the reason; empty if it was reported before
 };
 
 /// Whether the primitive has positions. Throws Error(bad_input) for an unknown mode.
 bool is_drawable(const Document& document, int mesh, int primitive);
 
-/// Checks the accessors that the request cannot do without and returns how many elements reading it visits: the loader's
+/// Checks the accessors that the request requires, and returns how many elements reading it visits: the loader's
 /// measure of work. Throws Error(bad_input).
 std::uint64_t check_request(const Document& document, const PrimitiveRequest& request);
 
-/// Reads, deforms, and completes the vertices (normals, tangents). Attributes, morph targets and skins that cannot be read
-/// are left out; where positions or indices cannot, all of it is.
+/// Reads, deforms, and completes the vertices (normals, tangents). Attributes, morph targets and skins that cannot be
+/// read are left out; the whole primitive is lost if its positions or indices cannot be read.
 PrimitiveResult read_primitive(const Document& document, const PrimitiveRequest& request);
 
-/// What is left of one that cannot be read.
+/// The result for a primitive that cannot be read.
 PrimitiveResult lost_primitive(const Error& error);
 
 } // namespace lambent::scene

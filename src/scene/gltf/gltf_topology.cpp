@@ -39,7 +39,7 @@ void add_lines(CornerList corners, int mode, std::vector<glm::uvec2>& lines)
     const std::size_t step = mode == gltf::Mode::lines ? 2 : 1;
     for (std::size_t i = 0; i + 1 < corners.size(); i += step)
         add(corners[i], corners[i + 1]);
-    // Of two corners the way back is the way there.
+    // A loop of two vertices is a single line.
     if (mode == gltf::Mode::line_loop && corners.size() > 2)
         add(corners.back(), corners.front());
 }

@@ -45,7 +45,7 @@ Container open_glb(std::span<const std::uint8_t> bytes, const std::string& file)
         refuse(file, ": GLB: ", bytes.size(), " bytes are too few for the header");
     const std::uint32_t version = little_endian(bytes, 4);
     if (version == 1)
-        refuse(file, ": glTF 1.0 is not read, only 2.0");
+        refuse(file, ": glTF 1.0 is not supported, only 2.0");
     if (version != 2)
         refuse(file, ": GLB: version ", version, " is not 2");
     const std::uint32_t length = little_endian(bytes, 8);
@@ -57,10 +57,10 @@ Container open_glb(std::span<const std::uint8_t> bytes, const std::string& file)
     if (first.kind != json_chunk)
         refuse(file, ": GLB: the first chunk is not JSON");
     Container container{as_text(first.bytes), {}};
-    // Chunks start at multiples of four; a padding byte or three may be missing at the very end of the file.
+    // Chunks start at multiples of four bytes; up to three bytes of padding may be missing at the end of the file.
     std::size_t at = header_size + chunk_header_size + (first.bytes.size() + 3) / 4 * 4;
     if (at < glb.size()) {
-        // Only the second chunk may be BIN; chunks of other kinds are for extensions and are passed over.
+        // Only the second chunk may be BIN; chunks of other kinds belong to extensions and are skipped.
         const Chunk second = read_chunk(glb, at, file);
         if (second.kind == binary_chunk)
             container.binary = second.bytes;

@@ -1,4 +1,4 @@
-// The outermost layer: GLB chunks or bare JSON.
+// The container of a glTF file: GLB chunks or bare JSON.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace lambent::scene {
 
-/// Windows into the file's bytes.
+/// Views of the file's bytes.
 struct Container {
     std::string_view json;
     std::span<const std::uint8_t> binary; ///< the BIN chunk; empty without one

@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-// Those of a material's parameters and textures are those of their lists.
+// Extensions of materials are those in the list of parameters; the others are listed here.
 bool is_supported(std::string_view extension)
 {
     constexpr std::string_view others[] = {
@@ -38,15 +38,15 @@ bool is_supported(std::string_view extension)
     return std::find(std::begin(others), std::end(others), extension) != std::end(others);
 }
 
-// No outside file of a scene is larger than this.
+// The largest size of a file beside the glTF, in bytes.
 constexpr std::uint64_t largest_file = std::uint64_t{1} << 33;
 
-// What the structs of a document may take: so much, and for each byte of its text more than any takes that says anything
-// (a node of {"mesh":0} is 30 times as large as its text; one of {} 100 times).
+// Limit of the structs of a document, in bytes: a constant, and a multiple of its text. A node of {"mesh":0} takes 30
+// times its text, an empty one 100 times.
 constexpr std::uint64_t free_bytes = std::uint64_t{1} << 28;
 constexpr std::uint64_t bytes_per_character = 32;
 
-// The names in an array of the document that are not supported, joined with commas.
+// The unsupported extensions in an array of the document, joined with commas.
 std::string unsupported(const json& document, const char* array)
 {
     std::string names;
@@ -63,16 +63,16 @@ std::string unsupported(const json& document, const char* array)
     return printable(names);
 }
 
-// Before the schema: an extension that changes it should be named, not its consequences.
+// Runs before the schema is checked: an extension that changes it should be reported instead of the resulting faults.
 void check_extensions(const json& document, const std::string& file, Warnings& warnings)
 {
     if (const std::string names = unsupported(document, "extensionsRequired"); !names.empty())
-        refuse(file, ": needs extensions that are not supported: ", names);
+        refuse(file, ": requires extensions that are not supported: ", names);
     if (const std::string names = unsupported(document, "extensionsUsed"); !names.empty())
         warnings.push_back(text(file, ": extensions ignored: ", names));
 }
 
-// The lists of glTF 1.0 are objects.
+// Recognises glTF 1.0 by its version or, without one, by its lists, which are objects.
 bool is_gltf_1(const json& document, const std::string& version)
 {
     if (!version.empty())
@@ -81,7 +81,7 @@ bool is_gltf_1(const json& document, const std::string& version)
     return nodes != document.end() && nodes->is_object();
 }
 
-// Before the schema, which is that of 2.0.
+// Runs before the schema is checked, which is that of 2.0.
 void check_version(const json& document, const std::string& file)
 {
     const auto asset = document.find("asset");
@@ -93,18 +93,18 @@ void check_version(const json& document, const std::string& file)
     };
     const std::string version = word("version");
     if (is_gltf_1(document, version))
-        refuse(file, ": glTF 1.0 is not read, only 2.0");
+        refuse(file, ": glTF 1.0 is not supported, only 2.0");
     if (!has_asset)
         refuse(file, ": asset is missing");
     if (version.empty())
         refuse(file, ": asset: version is missing");
     if (!version.starts_with("2."))
-        refuse(file, ": glTF version ", version, " is not read, only 2.0");
+        refuse(file, ": glTF version ", version, " is not supported, only 2.0");
     if (asset->contains("minVersion") && asset->at("minVersion") != "2.0")
-        refuse(file, ": needs glTF ", word("minVersion"), ", only 2.0 is read");
+        refuse(file, ": requires glTF ", word("minVersion"), ", only 2.0 is supported");
 }
 
-// One buffer's bytes: of a data URI, of a file, or of the BIN chunk (the first buffer, without uri).
+// The bytes of a buffer: from a data URI, a file, or the BIN chunk (for the first buffer, without uri).
 BufferBytes open_buffer(const gltf::Buffer& buffer, std::span<const std::uint8_t> binary, Document& document,
                         Losses& losses)
 {
@@ -120,8 +120,9 @@ BufferBytes open_buffer(const gltf::Buffer& buffer, std::span<const std::uint8_t
     }
     const std::uint64_t length = buffer.byte_length;
     if (length > bytes.size()) {
-        const std::string fault = text(where, ": ", length, " bytes declared, ", bytes.size(), " are there");
-        losses.add(fault, "used as far as they go");
+        const std::string fault =
+            text(where, ": ", length, " bytes declared, only ", bytes.size(), " present");
+        losses.add(fault, "these are used");
         if (document.first_loss.empty())
             document.first_loss = fault;
     }
@@ -135,16 +136,17 @@ void open_buffers(std::span<const std::uint8_t> binary, Document& document, Loss
         try {
             opened = open_buffer(buffer, binary, document, losses);
         } catch (const Error& error) {
+            opened = {}; // GCC 12 does not keep the default where open_buffer() throws
             losses.add(error.what(), "left out");
             if (document.first_loss.empty())
                 document.first_loss = error.what();
         }
         document.buffers.push_back(opened);
-        buffer.uri.reset(); // it may hold as much as was read out of it
+        buffer.uri.reset(); // frees the text of data URIs
     }
 }
 
-// What cannot be a file is said where it is wanted.
+// Adds the path of a uri to document.beside. Invalid ones are reported when they are read.
 void note_beside(const std::string& uri, Document& document)
 {
     if (uri.empty() || is_data_uri(uri) || !document.base.folder)

@@ -13,14 +13,15 @@ namespace {
 
 using nlohmann::json;
 
-// A list or an object of the document that is being filled.
+// A list or object of the document that the parser has entered and not left.
 struct Level {
     json* container = nullptr;
     const Shape* shape = nullptr;   // of an object; null: any name is kept
     const Property* list = nullptr; // of a list
 };
 
-// What a list or object holds that is given where the property expects one; none: it does not fit there.
+// The level of a list or object that is the value of a property or, `in_list`, an entry of it; none if the property has
+// another kind.
 std::optional<Level> level_of(const Property* property, bool in_list, bool is_object)
 {
     if (property == nullptr)
@@ -36,8 +37,8 @@ std::optional<Level> level_of(const Property* property, bool in_list, bool is_ob
     return kind == (in_list ? Kind::index_maps : Kind::index_map) ? std::optional(Level{}) : std::nullopt;
 }
 
-// Builds the document from the parser's events, without what is not kept. (The library's own way to leave members
-// out, a callback, takes time quadratic in the length of an array of objects.)
+// Builds the document from the parser's events and skips values that are not kept. (The library's own filter, a
+// callback, takes time quadratic in the length of an array of objects.)
 class Builder : public nlohmann::json_sax<json> {
 public:
     explicit Builder(const Shape& shape)
@@ -71,12 +72,12 @@ private:
     bool close();
 
     json document_;
-    Property root_;                     // as if the document were a property of something
-    std::vector<Level> open_;           // from the top level inwards
+    Property root_;                     // the document as the value of a property
+    std::vector<Level> open_;           // outermost first
     std::string key_;                   // of the next value in an object
-    const Property* property_ = &root_; // that it is; null: none that has a name
-    bool is_wanted_ = true;             // whether it is kept
-    std::size_t unwanted_ = 0;          // containers entered since one that is not kept, itself included
+    const Property* property_ = &root_; // of the next value; null: its name is not in the shape
+    bool is_wanted_ = true;             // whether the next value is kept
+    std::size_t unwanted_ = 0;          // depth within a skipped container, itself included; 0: not in one
     std::string failure_;
 };
 
@@ -101,7 +102,7 @@ json& Builder::insert(json value)
         list.push_back(std::move(value));
         return list.back();
     }
-    // Of members of one name the last counts.
+    // The last of several members with one name counts.
     return outer.get_ref<json::object_t&>().insert_or_assign(std::move(key_), std::move(value)).first->second;
 }
 
@@ -126,7 +127,8 @@ bool Builder::open(json container)
         open_.push_back(*level);
         return true;
     }
-    // What a member is is worth telling; of a list's entries and an index map's there may be many.
+    // A member stays an empty container, so that the reader can report its kind; entries of lists and index maps, of
+    // which there may be many, become null.
     const bool is_member = list == nullptr && property_ != nullptr;
     insert(is_member ? std::move(container) : json());
     ++unwanted_;
@@ -160,7 +162,7 @@ bool Builder::parse_error(std::size_t, const std::string&, const json::exception
 
 json parse_json(std::string_view text, const Shape& shape, const std::string& file)
 {
-    // Some exporters fill the GLB chunk with zeros where spaces belong.
+    // Some exporters pad the GLB chunk with zeros instead of spaces.
     while (text.ends_with('\0'))
         text.remove_suffix(1);
     Builder builder(shape);

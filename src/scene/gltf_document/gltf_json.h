@@ -1,4 +1,4 @@
-// From JSON text to a document of what the tables know.
+// Parsing of JSON text, restricted to the properties in the schema tables.
 #pragma once
 
 #include "scene/gltf_document/gltf_table.h"
@@ -10,10 +10,10 @@
 
 namespace lambent::scene {
 
-/// Parses JSON and keeps what the shape has names for, nothing else: no extras, no unknown extensions, no list or object
-/// where the shape has something else (an empty one stands for it, or null in a list). So a document is never nested deeper
-/// than its shape, and what is not kept costs no memory, whatever it holds and however deep it nests.
-/// Throws Error(bad_input) starting with `file`.
+/// Parses JSON and keeps only the properties that the shape names: no extras, no unknown extensions. A list or object
+/// where the shape has another kind becomes an empty one, or null in a list. The document is therefore never nested
+/// deeper than its shape, and skipped values take no memory, however large and however deeply nested they are. Throws
+/// Error(bad_input) starting with `file`.
 nlohmann::json parse_json(std::string_view text, const Shape& shape, const std::string& file);
 
 } // namespace lambent::scene

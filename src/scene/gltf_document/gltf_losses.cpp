@@ -5,7 +5,7 @@
 namespace lambent::scene {
 namespace {
 
-// Digits become one '#' a number: "node 12" and "node 7" are told of as one.
+// Replaces each number by '#': "node 12" and "node 7" are the same kind of line.
 std::string without_numbers(const std::string& line)
 {
     const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
@@ -38,7 +38,7 @@ void Losses::add(std::string_view fault, std::string_view cost)
             others_.place = warnings_.size();
             warnings_.emplace_back();
         }
-        warnings_[others_.place] = text(file_, ": and ", others_.more, " faults more");
+        warnings_[others_.place] = text(file_, ": and ", others_.more, " more faults");
     }
 }
 

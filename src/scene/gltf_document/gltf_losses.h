@@ -1,4 +1,4 @@
-// What a file's broken parts cost: warnings instead of errors.
+// Warnings about broken parts of a file, which are left out.
 #pragma once
 
 #include "base/error.h"
@@ -10,17 +10,17 @@
 
 namespace lambent::scene {
 
-/// Adds lines to warnings. Lines that differ in their numbers only become one that counts them, and beyond `most_lines`
-/// the others are only counted: a file of a million faults costs no memory.
+/// Adds lines to warnings. Lines that differ only in their numbers become one line with a count, and beyond
+/// `most_lines` others are only counted, so that a file with a million faults takes little memory.
 class Losses {
 public:
-    /// `file` starts the line that counts the others.
+    /// `file` is the start of the line that counts the others.
     Losses(std::string file, Warnings& warnings) : file_(std::move(file)), warnings_(warnings) {}
 
-    /// "FAULT: COST", or the fault alone. An empty fault was told before.
+    /// Adds "FAULT: COST", or the fault alone. Nothing for an empty fault, which was reported before.
     void add(std::string_view fault, std::string_view cost = {});
 
-    /// Does the work. Where it throws Error(bad_input), its line is added with the cost, and false returned.
+    /// Calls work(). If that throws Error(bad_input), adds the error's line with the cost, and returns false.
     template <class Work>
     bool spare(std::string_view cost, Work&& work)
     {
@@ -39,18 +39,18 @@ public:
 
 private:
     struct Line {
-        std::size_t place; // in the warnings
+        std::size_t place; // index into the warnings
         std::string first;
         std::size_t more = 0;
     };
 
     std::string file_;
     Warnings& warnings_;
-    std::map<std::string, Line> lines_; // by what they say, without numbers
+    std::map<std::string, Line> lines_; // by their text without numbers
     Line others_{0, {}, 0};
 };
 
-/// Error(bad_input) about what a warning has told already: Losses adds nothing for it.
+/// An Error(bad_input) about a fault that was reported before: Losses adds nothing for it.
 Error told_already();
 
 } // namespace lambent::scene

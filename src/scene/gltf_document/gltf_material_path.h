@@ -1,4 +1,4 @@
-// Where the rows of shading/material/ are in a glTF's material.
+// Paths of the rows of shading/material/ in the JSON of a glTF's material.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// What is read of a material: the rows of shading/material/, and what is none of these.
+// The schema of materials: the rows of shading/material/, and the other properties that are read.
 #include "scene/gltf_document/gltf_schema.h"
 
 #include "scene/gltf_document/gltf_material_path.h"
@@ -11,7 +11,7 @@
 namespace lambent::scene {
 namespace {
 
-// A number, or several of them, at a place in a material's JSON. (Those of a texture, scale and strength, go with it.)
+// One number or several at a path in a material's JSON. (A texture's scale and strength are properties of the texture.)
 struct FactorRow {
     std::string_view path;
     std::size_t components;
@@ -30,7 +30,7 @@ std::vector<FactorRow> factor_rows()
 #define COLOR(name, number, value, object, key, texture) FACTOR(object, key, 3)
 #define SCALAR(name, number, value, object, key, texture, channel) FACTOR(object, key, 1)
 #define ROUGHNESS(name, factor, number, value, object, key, texture, channel) FACTOR(object, key, 1)
-#define STRENGTH(name, factor, number, value, object, key, texture, channel) // its texture's
+#define STRENGTH(name, factor, number, value, object, key, texture, channel) // a property of its texture
 #include "shading/material/parameters.h"
 #undef FACTOR
     return rows;
@@ -94,12 +94,12 @@ Property texture_use(std::string_view path)
     return property;
 }
 
-// The shape of objects within objects, made from the paths of what is in them.
+// Makes the shapes of nested objects from the paths of their properties.
 class PathShapes {
 public:
     void add(std::string_view path, const Property& property) { rows_.push_back({path, property}); }
 
-    // Of what is below a path that ends with "/"; empty: of all.
+    // The shape of the object at a path, which ends with "/"; empty: of the outermost object.
     const Shape& shape(std::string_view below)
     {
         std::vector<Property> properties;
@@ -127,7 +127,7 @@ private:
     };
 
     std::vector<Row> rows_;
-    std::deque<std::vector<Property>> properties_; // what the shapes point into
+    std::deque<std::vector<Property>> properties_; // which the shapes refer to
     std::deque<Shape> shapes_;
 };
 

@@ -1,4 +1,4 @@
-// How the glTF loader says no.
+// Errors of the glTF loader.
 #pragma once
 
 #include "base/error.h"
@@ -16,7 +16,7 @@ template <class... Parts>
     throw Error(Failure::bad_input, text(parts...));
 }
 
-/// Text from a file, made safe to show: control characters become '?', and it ends after 200 bytes.
+/// Text from a file, made safe to show: control characters become '?', and it is cut off after 200 bytes.
 std::string printable(std::string_view text);
 
 } // namespace lambent::scene

@@ -1,5 +1,5 @@
-// A glTF's JSON as plain data: what the file says of each element, with glTF's defaults, before any of it is looked up.
-// The tables that check the JSON fill it (scene/gltf_document/gltf_schema.h).
+// The JSON of a glTF as plain structs with glTF's defaults; indices are not resolved yet. The tables that check the
+// JSON say which members its values fill (scene/gltf_document/gltf_schema.h).
 #pragma once
 
 #include <array>
@@ -12,10 +12,10 @@
 
 namespace lambent::scene::gltf {
 
-/// An index that the file does not give.
+/// An index that is absent from the file.
 inline constexpr int none = -1;
 
-/// What an index becomes that could not be read: there is nothing of that number.
+/// Replaces an index that could not be read: no element has this number.
 inline constexpr int unreadable_index = 2147483647;
 
 /// glTF's codes. [glTF 2.0, 5]
@@ -34,10 +34,10 @@ enum Filter : int {
 using Vec3 = std::array<double, 3>;
 using Vec4 = std::array<double, 4>;
 
-/// Indices by the attribute's name.
+/// Indices of accessors by the names of attributes.
 using AttributeMap = std::map<std::string, int>;
 
-// `is_broken`: the element could not be read, as was told; it stands there for the numbers of the others.
+// `is_broken`: the element could not be read, which was reported; it stays in the list so that indices remain valid.
 
 struct Asset {
     std::string version, min_version;
@@ -53,7 +53,7 @@ struct Node {
     int mesh = none, skin = none, camera = none;
     int light = none;           ///< KHR_lights_punctual
     bool visible = true;        ///< KHR_node_visibility
-    std::vector<double> matrix; ///< 16 numbers, which count alone; or empty
+    std::vector<double> matrix; ///< 16 numbers, which replace the next three; or empty
     std::optional<Vec3> translation, scale;
     std::optional<Vec4> rotation;
     std::vector<double> weights;
@@ -101,7 +101,7 @@ struct Accessor {
 struct BufferView {
     int buffer = 0;
     std::uint64_t byte_offset = 0, byte_length = 0;
-    std::uint64_t byte_stride = 0; ///< 0: elements are next to each other
+    std::uint64_t byte_stride = 0; ///< 0: elements are tightly packed
     bool is_broken = false;
 };
 
@@ -110,7 +110,7 @@ struct Buffer {
     std::optional<std::string> uri;
 };
 
-/// Where an image's PNG or JPEG bytes are: one of the two, or the image is left out.
+/// An image in PNG or JPEG, at either `uri` or `buffer_view`; with both or neither, it is left out.
 struct Image {
     std::string name;
     std::string uri;
@@ -139,12 +139,12 @@ struct TextureTransform {
 struct TextureInfo {
     int index = none;
     int tex_coord = 0;
-    std::optional<double> scale, strength; ///< of normals; of occlusion
+    std::optional<double> scale, strength; ///< of normal textures; of occlusion textures
     std::optional<TextureTransform> transform;
 };
 
-/// Factors and textures go by their places in the material's JSON, like "pbrMetallicRoughness/metallicFactor", as
-/// scene/gltf_document/gltf_material_schema.cpp lists them; what the file does not give is not there.
+/// Factors and textures by their paths in the material's JSON, like "pbrMetallicRoughness/metallicFactor", which
+/// scene/gltf_document/gltf_material_schema.cpp lists; only those that are in the file.
 struct Material {
     std::string name;
     std::string alpha_mode = "OPAQUE";
@@ -162,7 +162,7 @@ struct Skin {
 
 struct Perspective {
     double yfov = 0.0, znear = 0.0;
-    double aspect_ratio = 0.0, zfar = 0.0; ///< 0: none
+    double aspect_ratio = 0.0, zfar = 0.0; ///< 0: absent
 };
 
 struct Orthographic {
@@ -171,8 +171,8 @@ struct Orthographic {
 
 struct Camera {
     std::string name, type;
-    std::optional<Perspective> perspective; ///< there where `type` says so
-    std::optional<Orthographic> orthographic;
+    std::optional<Perspective> perspective;   ///< present if `type` is "perspective"
+    std::optional<Orthographic> orthographic; ///< present if `type` is "orthographic"
     bool is_broken = false;
 };
 
@@ -185,13 +185,13 @@ struct Light {
     std::string type;
     Vec3 color = {1.0, 1.0, 1.0};
     double intensity = 1.0;
-    double range = 0.0; ///< 0: none
+    double range = 0.0; ///< 0: unlimited
     Spot spot;
     bool is_broken = false;
 };
 
 struct AnimationTarget {
-    int node = none; ///< none: an extension says what moves
+    int node = none; ///< none: an extension defines the target
     std::string path;
 };
 

@@ -1,4 +1,4 @@
-// Where in a document a fault is.
+// The position of a fault in a document.
 #pragma once
 
 #include <cstddef>
@@ -7,17 +7,18 @@
 
 namespace lambent::scene {
 
-/// A chain of these on the stack, turned into words only for a message. Tables, not files, say how long it may grow.
+/// One level of a position. Levels form a chain on the stack, which becomes text only for messages; the schema tables,
+/// not the file, limit its length.
 struct Place {
     const Place* outer = nullptr;
     std::string_view name;
     std::ptrdiff_t index = -1;
 };
 
-/// "mesh 0, primitive 1: REASON".
+/// The message for a fault: "mesh 0, primitive 1: REASON".
 std::string fault_at(const Place& place, const std::string& reason);
 
-/// Whether what is lost here may be something to draw, and not only how it looks.
+/// Whether a fault here may cost geometry, and not only appearance.
 bool holds_geometry(const Place& place);
 
 } // namespace lambent::scene

@@ -18,10 +18,10 @@ using nlohmann::json;
 constexpr double most_index = gltf::unreadable_index;
 constexpr double most_size = 9007199254740992.0;
 
-// A file with so many is noise.
+// A file with more broken elements than this is refused.
 constexpr std::size_t most_broken = 10'000;
 
-// Faults are lines without the file's name; none: all is well.
+// A message without the file's name; empty: no fault.
 using Fault = std::string;
 
 class Reader {
@@ -32,21 +32,21 @@ public:
     std::string first_loss() { return std::move(first_loss_); }
 
 private:
-    // A property's value on its way into a struct.
+    // A value of the document, its property, and the struct that it is read into.
     struct Value {
         json& source;
         const Property& property;
         void* object;
 
         template <class Type>
-        Type* room(std::size_t count = 1) const
+        Type* allocate(std::size_t count = 1) const
         {
             return property.place ? static_cast<Type*>(property.place(object, property, count)) : nullptr;
         }
         template <class Type>
         void keep(Type&& value) const
         {
-            if (auto* kept = room<std::remove_cvref_t<Type>>())
+            if (auto* kept = allocate<std::remove_cvref_t<Type>>())
                 *kept = std::forward<Type>(value);
         }
     };
@@ -107,13 +107,13 @@ Fault Reader::read_nested(const Value& value, const Place& place)
 {
     const Property& property = value.property;
     const Place inner{&place, property.name, -1};
-    Fault fault = read_object(value.source, *property.shape, inner, value.room<void>());
+    Fault fault = read_object(value.source, *property.shape, inner, value.allocate<void>());
     if (!fault.empty() && property.drop)
         property.drop(value.object, property);
     return fault;
 }
 
-// Before they are made.
+// Counts elements of a list against the limit of memory, before they are made.
 void Reader::spend(std::size_t elements, std::size_t bytes)
 {
     if (elements > bytes_left_ / bytes)
@@ -126,7 +126,7 @@ Fault Reader::read_objects(const Value& value, const Place& place)
     const Property& property = value.property;
     const std::size_t count = value.source.size();
     spend(count, property.element_bytes);
-    auto* elements = value.room<std::byte>(count);
+    auto* elements = value.allocate<std::byte>(count);
     for (std::size_t i = 0; i < count; ++i) {
         json& source = value.source[i];
         void* element = elements + i * property.element_bytes;
@@ -134,10 +134,10 @@ Fault Reader::read_objects(const Value& value, const Place& place)
         if (const Fault fault = read_object(source, *property.shape, inner, element); !fault.empty()) {
             lose(fault, "left out", inner);
             if (++broken_ > most_broken)
-                refuse(notes_.file, ": ", fault, " (as are more than ", most_broken, " elements)");
+                refuse(notes_.file, ": ", fault, " (and more than ", most_broken, " elements are broken)");
             property.mark_broken(element);
         }
-        source = nullptr; // gives its memory back
+        source = nullptr; // frees its memory
     }
     return {};
 }
@@ -145,7 +145,7 @@ Fault Reader::read_objects(const Value& value, const Place& place)
 void Reader::read_indices(const Value& value, const Place& place)
 {
     bool told = false;
-    int* index = value.room<int>(value.source.size());
+    int* index = value.allocate<int>(value.source.size());
     for (const json& source : value.source) {
         std::uint64_t whole = gltf::unreadable_index;
         const std::string reason = read_whole(source, most_index, value.property.name, whole);
@@ -170,7 +170,7 @@ void Reader::read_index_map(const json& source, const Place& place, gltf::Attrib
 
 void Reader::read_index_maps(const Value& value, const Place& place)
 {
-    auto* map = value.room<gltf::AttributeMap>(value.source.size());
+    auto* map = value.allocate<gltf::AttributeMap>(value.source.size());
     for (const json& source : value.source) {
         if (source.is_object())
             read_index_map(source, place, map);
@@ -182,8 +182,8 @@ Fault Reader::read_words(const Value& value, const Place& place)
 {
     for (const json& word : value.source)
         if (!word.is_string())
-            return fault_at(place, text(value.property.name, " holds something that is not a string"));
-    auto* words = value.room<std::string>(value.source.size());
+            return fault_at(place, text(value.property.name, " has an entry that is not a string"));
+    auto* words = value.allocate<std::string>(value.source.size());
     for (json& word : value.source)
         *words++ = std::move(word.get_ref<std::string&>());
     return {};
@@ -210,13 +210,13 @@ Fault Reader::read_list(const Value& value, const Place& place)
     }
     if (const std::string reason = check_numbers(value.source, property); !reason.empty())
         return fault_at(place, reason);
-    auto* numbers = value.room<double>(value.source.size());
+    auto* numbers = value.allocate<double>(value.source.size());
     for (const json& number : value.source)
         *numbers++ = number.get<double>();
     return {};
 }
 
-// What is neither an object nor a list.
+// Reads a value that is neither an object nor a list.
 Fault Reader::read_one(const Value& value, const Place& place)
 {
     const auto& [source, property, object] = value;
@@ -264,7 +264,7 @@ Fault Reader::read_value(const Value& value, const Place& place)
     case Kind::index_map:
         if (!value.source.is_object())
             return fault_at(place, text(value.property.name, " is not an object"));
-        read_index_map(value.source, place, value.room<gltf::AttributeMap>());
+        read_index_map(value.source, place, value.allocate<gltf::AttributeMap>());
         return {};
     default:
         return read_list(value, place);

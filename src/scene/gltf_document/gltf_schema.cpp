@@ -84,9 +84,9 @@ std::string accessor_misfit(const void* object)
                                        Component::u16, Component::u32, Component::f32};
     const auto& accessor = *static_cast<const Accessor*>(object);
     if (std::find(types.begin(), types.end(), accessor.type) == types.end())
-        return text("type \"", printable(accessor.type), "\" is not one of glTF");
+        return text("type \"", printable(accessor.type), "\" is not defined by glTF");
     if (std::find(components.begin(), components.end(), accessor.component_type) == components.end())
-        return text("componentType ", accessor.component_type, " is not one of glTF");
+        return text("componentType ", accessor.component_type, " is not defined by glTF");
     return {};
 }
 
@@ -149,7 +149,7 @@ std::string camera_misfit(const void* object)
 {
     const auto& camera = *static_cast<const gltf::Camera*>(object);
     if (camera.type != "perspective" && camera.type != "orthographic")
-        return text("type \"", printable(camera.type), "\" is not one of glTF");
+        return text("type \"", printable(camera.type), "\" is not defined by glTF");
     const bool is_there = camera.type == "perspective" ? !!camera.perspective : !!camera.orthographic;
     return is_there ? "" : text(camera.type, " is missing");
 }

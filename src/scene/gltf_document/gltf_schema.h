@@ -5,10 +5,10 @@
 
 namespace lambent::scene {
 
-/// Of a whole document; fills a gltf::Model.
+/// The shape of a whole document; fills a gltf::Model.
 const Shape& document_shape();
 
-/// Of a material; fills a gltf::Material (gltf_material_schema.cpp).
+/// The shape of a material; fills a gltf::Material (gltf_material_schema.cpp).
 const Shape& material_shape();
 
 } // namespace lambent::scene

@@ -1,4 +1,4 @@
-// Where a glTF comes from, and what it may lead to.
+// The source of a glTF, and the files that it may refer to.
 #pragma once
 
 #include <cstdint>
@@ -10,18 +10,18 @@
 
 namespace lambent::scene {
 
-/// How far the relative URIs of a glTF may lead.
+/// The files that the relative URIs of a glTF may refer to.
 struct Reach {
-    bool anywhere = false;                      ///< to any file that this user may read
-    std::vector<std::filesystem::path> folders; ///< else to these and below; none: the glTF's own
+    bool anywhere = false;                      ///< any file that the user may read
+    std::vector<std::filesystem::path> folders; ///< else files in or below these; empty: the glTF's folder
 };
 
-/// A file that is in memory already.
+/// A glTF file in memory.
 struct GltfSource {
     std::string file;                            ///< the name that messages start with
     std::span<const std::uint8_t> bytes;         ///< a whole .gltf or .glb
-    std::optional<std::filesystem::path> folder; ///< where relative URIs start; none: they are refused
-    Reach reach{};                               ///< how far they may lead
+    std::optional<std::filesystem::path> folder; ///< base of relative URIs; none: these are refused
+    Reach reach{};                               ///< files that these may refer to
 };
 
 } // namespace lambent::scene

@@ -1,4 +1,4 @@
-// The tables that JSON is checked against: what an object may hold, and which member of a struct each value becomes.
+// Schema tables of JSON: the properties that an object may have, and the member of a struct that each of them fills.
 #pragma once
 
 #include <array>
@@ -33,7 +33,8 @@ struct Property;
 
 struct Shape {
     std::span<const Property> properties;
-    /// What tables do not say of an object that was read, as the reason why it is none; or nothing.
+    /// A check of the object after it was read, beyond the tables: returns the reason why it is invalid, or an empty
+    /// string.
     std::string (*misfit)(const void* object) = nullptr;
 };
 
@@ -45,15 +46,16 @@ struct Property {
     Need need = Need::optional;
     std::size_t length = 0;
     const Shape* shape = nullptr;
-    const char* element = nullptr; ///< of objects: what one is called in messages
-    std::string_view key;          ///< of a material's factors and textures: what they are found by
+    const char* element = nullptr; ///< for objects: the name of one in messages
+    std::string_view key;          ///< for a material's factors and textures: their key in its maps
 
-    /// Where in the struct `count` values go (one, but for lists), made there; null: the value is checked and not kept.
+    /// Makes `count` values (one, except for lists) in the struct and returns the first one's address; null: the value
+    /// is checked and not kept.
     void* (*place)(void* object, const Property&, std::size_t count) = nullptr;
-    /// Unmakes an object that could not be read; null: nothing was made.
+    /// Resets the member of an object that could not be read; null: there is none.
     void (*drop)(void* object, const Property&) = nullptr;
-    std::size_t element_bytes = 0;        ///< of objects: the size of one's struct
-    void (*mark_broken)(void*) = nullptr; ///< of objects: makes one stand for what could not be read
+    std::size_t element_bytes = 0;        ///< for objects: the size of the struct of one
+    void (*mark_broken)(void*) = nullptr; ///< for objects: resets an unreadable one, and sets is_broken
 };
 
 /// The property of this name; null: the shape has none.
@@ -138,18 +140,18 @@ auto& member(void* object)
 }
 
 template <class Value>
-void* room(Value& value, std::size_t)
+void* allocate(Value& value, std::size_t)
 {
     return &value;
 }
 template <class Element>
-void* room(std::vector<Element>& values, std::size_t count)
+void* allocate(std::vector<Element>& values, std::size_t count)
 {
     values.resize(count);
     return values.data();
 }
 template <std::size_t N>
-void* room(std::array<double, N>& values, std::size_t)
+void* allocate(std::array<double, N>& values, std::size_t)
 {
     return values.data();
 }
@@ -159,9 +161,9 @@ void* place(void* object, const Property&, std::size_t count)
 {
     auto& value = member<Member>(object);
     if constexpr (Plain<MemberType<Member>>::optional)
-        return room(value.emplace(), count);
+        return allocate(value.emplace(), count);
     else
-        return room(value, count);
+        return allocate(value, count);
 }
 
 template <auto Member>
@@ -181,7 +183,7 @@ void mark_broken(void* element)
 
 } // namespace table
 
-/// A row for a member that holds one value, or numbers, words or indices; its type says which.
+/// A row for a member that holds one value, or numbers, strings or indices; the kind follows from its type.
 template <auto Member>
 constexpr Property value(std::string_view name, Need need = Need::optional, std::size_t length = 0)
 {
@@ -219,8 +221,8 @@ constexpr Property nested(std::string_view name, const Shape& shape, Need need =
     return row;
 }
 
-/// A row for an object whose values become members of the same struct. It is not unmade: a member that it needs must be its
-/// only one.
+/// A row for an object whose values fill members of the enclosing struct. These are not reset if the object cannot be
+/// read: a required property of it must be its only one.
 constexpr Property inside(std::string_view name, const Shape& shape)
 {
     Property row;
@@ -231,7 +233,7 @@ constexpr Property inside(std::string_view name, const Shape& shape)
     return row;
 }
 
-/// A row for a flag that is whether an object is there.
+/// A row for a flag that is true if an object is present.
 template <auto Member>
 constexpr Property presence(std::string_view name)
 {

@@ -81,7 +81,7 @@ bool has_scheme(std::string_view uri)
                                                   "0123456789+-.") == std::string_view::npos;
 }
 
-// The folders that a reach allows: those named, else the glTF's own.
+// The folders that the reach allows: those named, else the glTF's own.
 std::vector<std::filesystem::path> folders_of(const UriBase& base)
 {
     if (!base.reach.folders.empty() || !base.folder)
@@ -97,7 +97,7 @@ std::filesystem::path normal(const std::filesystem::path& path)
     return whole.has_filename() ? whole : whole.parent_path(); // "folder/" is "folder"
 }
 
-// Both paths absolute and normal.
+// Both paths must be absolute and normal.
 bool is_below(const std::filesystem::path& path, const std::filesystem::path& folder)
 {
     return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
@@ -130,7 +130,7 @@ std::filesystem::path path_beside(const UriBase& base, std::string_view uri, con
     if (path.is_absolute())
         refuse(where, ": \"", shown, "\" is an absolute path; only relative ones are read");
     if (!base.folder)
-        refuse(where, ": \"", shown, "\" is outside the file");
+        refuse(where, ": \"", shown, "\" is an external file; only embedded data is read");
     const std::filesystem::path found = *base.folder / path.lexically_normal();
     if (base.reach.anywhere)
         return found;
@@ -147,7 +147,7 @@ void check_links(const UriBase& base, const std::filesystem::path& path, const s
 {
     std::error_code error;
     const std::filesystem::path real = std::filesystem::canonical(path, error);
-    if (base.reach.anywhere || error) // what is not there is found out by reading it
+    if (base.reach.anywhere || error) // a missing file is reported when it is read
         return;
     for (const std::filesystem::path& folder : folders_of(base)) {
         const std::filesystem::path real_folder = std::filesystem::canonical(normal(folder), error);
