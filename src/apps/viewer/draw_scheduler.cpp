@@ -1,12 +1,10 @@
 #include "apps/viewer/draw_scheduler.h"
 
-#include "apps/common/layer_files.h"
-#include "apps/common/picture_file.h"
+#include "apps/viewer/present_frame.h"
 #include "base/error.h"
 #include "base/text.h"
 
 #include <algorithm>
-#include <cmath>
 #include <new>
 #include <utility>
 
@@ -15,106 +13,18 @@ namespace {
 
 using Task = Plan::Task;
 
-// Thrown out of a drawing that nobody wants any more.
+// Thrown from a progress callback to leave a drawing that is no longer wanted.
 struct Overtaken {};
 
-// Whoever got a picture of something that moves this long ago still moves.
+// A session counts as moving for so long after its last picture of a moving view.
 constexpr std::chrono::milliseconds lull{300};
 
-// Others' time for each of a long picture's, while they move.
+// While other sessions move, a long picture waits three times as long as it was drawn: it gets a quarter of the time.
 constexpr int others_share = 3;
 
 double ms_since(Clock::time_point start)
 {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-bool is_transparent(const Plan& plan)
-{
-    return plan.arguments.settings.background.kind == draw::Background::Kind::none;
-}
-
-// The phong model has other layers than ggx, which the table names.
-std::string layer_name(const Plan& plan)
-{
-    if (plan.arguments.settings.model != draw::Model::phong)
-        return plan.layer;
-    if (plan.layer == "base_color")
-        return "diffuse";
-    return plan.layer == "alpha" ? "exponent" : plan.layer;
-}
-
-// Null where the picture itself is asked for, or a layer that its model does not have.
-const draw::Layer* layer_of(const Plan& plan, const draw::Frame& frame)
-{
-    const auto found = std::find_if(frame.layers.begin(), frame.layers.end(),
-                                    [&](const draw::Layer& layer) { return layer.name == layer_name(plan); });
-    return plan.layer == "picture" || found == frame.layers.end() ? nullptr : &*found;
-}
-
-image::CodeImage codes_of(const Plan& plan, const draw::Frame& frame)
-{
-    if (const draw::Layer* const layer = layer_of(plan, frame))
-        return cli::layer_picture(*layer, plan.arguments.display);
-    return cli::picture_codes(frame.radiance, plan.arguments.display, is_transparent(plan));
-}
-
-// What is the same for all pictures.
-void complete(const Plan& plan, double draw_ms, ShownPicture& picture)
-{
-    picture.width = plan.width;
-    picture.height = plan.height;
-    picture.scale = plan.scale;
-    picture.draw_ms = draw_ms;
-    picture.input = plan.input;
-    picture.moment = plan.moment;
-}
-
-ShownPicture picture_of(const Plan& plan, const draw::Frame& frame, double draw_ms)
-{
-    ShownPicture picture;
-    picture.kind = plan.task == Task::moving  ? ShownPicture::Kind::moving
-                   : plan.task == Task::still ? ShownPicture::Kind::still
-                                              : ShownPicture::Kind::rest;
-    picture.codes = codes_of(plan, frame);
-    picture.is_last = plan.task == Task::rest && !plan.is_compared;
-    complete(plan, draw_ms, picture);
-    return picture;
-}
-
-void pick(const Plan& plan, const draw::Frame& frame, Session& session)
-{
-    const auto depth = std::find_if(frame.layers.begin(), frame.layers.end(),
-                                    [](const draw::Layer& layer) { return layer.name == "depth"; });
-    if (depth == frame.layers.end())
-        return;
-    const image::RadianceImage& image = depth->image;
-    const auto at = [](double part, int side) {
-        return std::clamp(static_cast<int>(part * side), 0, side - 1);
-    };
-    const int x = at(plan.place[0], image.width), y = at(plan.place[1], image.height);
-    const float* pixel = image.pixel(x, y);
-    if (!(pixel[3] > 0.0f))
-        return; // the background: nothing to look at
-    const draw::RayMap rays = draw::ray_map(plan.arguments.settings.camera, image.width, image.height);
-    const glm::vec3 direction =
-        glm::normalize(rays.direction + (static_cast<float>(x) + 0.5f) * rays.direction_dx +
-                       (static_cast<float>(y) + 0.5f) * rays.direction_dy);
-    session.picked(glm::dvec3(rays.origin + pixel[0] / pixel[3] * direction), plan);
-}
-
-void show(const Plan& plan, const draw::Frame& frame, double draw_ms, Session& session)
-{
-    if (plan.task == Task::pick) {
-        pick(plan, frame, session);
-    } else if (plan.task == Task::save) {
-        const display::Settings& display = plan.arguments.display;
-        session.presenter().save(
-            {plan.file, cli::picture_bytes(frame.radiance, display, is_transparent(plan), plan.file),
-             plan.command});
-    } else {
-        session.presenter().show(picture_of(plan, frame, draw_ms));
-    }
 }
 
 } // namespace
@@ -200,9 +110,10 @@ bool DrawScheduler::work_once(Clock::time_point& wake)
         const std::size_t turn = (next_ + i) % all.size();
         Place& place = *all[turn];
         const Clock::time_point now = Clock::now();
-        const bool may_be_long = now >= place.long_from || !any_moves(place, [&](const Place& other) {
-                                     return other.session->is_hungry() || now - other.moved < lull;
-                                 });
+        const bool may_be_long =
+            now >= place.long_from || !any_moves(place, [&](const Place& other) {
+                return other.session->waits_for_moving_picture() || now - other.moved < lull;
+            });
         if (!may_be_long)
             wake = std::min({wake, place.long_from, now + lull});
         if (const std::optional<Plan> plan = place.session->plan(now, wake, may_be_long)) {
@@ -219,7 +130,7 @@ bool DrawScheduler::goes_on(const Plan& plan, const Place& place, Clock::time_po
     if (ending_ || (plan.is_long() && place.session->is_stale(plan)))
         throw Overtaken{};
     return !plan.is_long() || Clock::now() - start < slice ||
-           !any_moves(place, [](const Place& other) { return other.session->is_hungry(); });
+           !any_moves(place, [](const Place& other) { return other.session->waits_for_moving_picture(); });
 }
 
 // The plan's picture, in the plan's pose.
@@ -247,7 +158,7 @@ void DrawScheduler::draw(const Plan& plan, Place& place)
         finish(plan, *place.session, begun->drawing->take(), begun->milliseconds);
     } else {
         place.paused = std::move(begun);
-        place.session->paused(plan);
+        place.session->plan_paused(plan);
     }
 }
 
@@ -255,12 +166,12 @@ void DrawScheduler::draw(const Plan& plan, Place& place)
 void DrawScheduler::finish(const Plan& plan, Session& session, draw::Frame frame, double milliseconds) const
 {
     const Clock::time_point start = Clock::now();
-    show(plan, frame, milliseconds, session);
-    if (plan.task == Task::rest && plan.layer != "picture" && !layer_of(plan, frame))
-        session.complain(text("the model phong has no layer ", plan.layer, ": this is the picture"));
+    present_frame(plan, frame, milliseconds, session);
+    if (plan.task == Task::rest && lacks_layer(plan, frame))
+        session.report_error(text("the model phong has no layer ", plan.layer, ": this is the picture"));
     if (plan.is_compared)
-        session.drawn(plan, std::move(frame.radiance));
-    session.done(plan, milliseconds + ms_since(start));
+        session.light_drawn(plan, std::move(frame.radiance));
+    session.picture_finished(plan, milliseconds + ms_since(start));
 }
 
 // As long as there is something new to be seen by: a picture takes its time to be made and to be sent.
@@ -274,15 +185,15 @@ void DrawScheduler::trace(const Plan& plan, Place& place)
     });
     place.unseen_ms += ms_since(start);
     if (!finished && (place.unseen_ms < step_ms || !plan.trace->has_picture())) {
-        place.session->paused(plan);
+        place.session->plan_paused(plan);
         return;
     }
     ShownPicture picture = plan.trace->picture();
-    complete(plan, place.unseen_ms, picture);
+    complete_picture(plan, place.unseen_ms, picture);
     place.unseen_ms = 0.0;
     place.session->presenter().show(std::move(picture));
     if (finished)
-        place.session->traced(plan);
+        place.session->trace_finished(plan);
 }
 
 void DrawScheduler::carry_out(const Plan& plan, Place& place)
@@ -295,11 +206,11 @@ void DrawScheduler::carry_out(const Plan& plan, Place& place)
         else
             draw(plan, place);
     } catch (const Overtaken&) {
-        session.failed(plan, "");
+        session.plan_failed(plan, "");
     } catch (const std::bad_alloc&) {
-        session.failed(plan, "not enough memory for the picture");
+        session.plan_failed(plan, "not enough memory for the picture");
     } catch (const std::exception& error) {
-        session.failed(plan, one_line(error.what()));
+        session.plan_failed(plan, one_line(error.what()));
     }
     const Clock::time_point end = Clock::now();
     if (plan.is_long())
