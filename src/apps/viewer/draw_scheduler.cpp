@@ -80,8 +80,8 @@ DrawScheduler::Places DrawScheduler::places()
     return places_;
 }
 
-// `is_moving`, which must not wait, of any other place; of this one, too, while it saves a picture, which need not be that
-// of what moves.
+// Returns whether `is_moving`, which must not block, holds for another session; also for this one while it saves a
+// picture, as its view may have moved on since.
 template <class IsMoving>
 bool DrawScheduler::any_moves(const Place& place, const IsMoving& is_moving)
 {
@@ -133,7 +133,7 @@ bool DrawScheduler::goes_on(const Plan& plan, const Place& place, Clock::time_po
            !any_moves(place, [](const Place& other) { return other.session->waits_for_moving_picture(); });
 }
 
-// The plan's picture, in the plan's pose.
+// Returns the plan's picture, paused or new, with the model in the plan's pose.
 DrawScheduler::BegunPicture DrawScheduler::begin_or_go_on(const Plan& plan, Place& place)
 {
     plan.model->pose(plan.arguments);
@@ -162,7 +162,7 @@ void DrawScheduler::draw(const Plan& plan, Place& place)
     }
 }
 
-// Shows what was drawn; the milliseconds are those of the drawing.
+// Shows the frame; `milliseconds` is how long drawing took.
 void DrawScheduler::finish(const Plan& plan, Session& session, draw::Frame frame, double milliseconds) const
 {
     const Clock::time_point start = Clock::now();
@@ -174,7 +174,7 @@ void DrawScheduler::finish(const Plan& plan, Session& session, draw::Frame frame
     session.picture_finished(plan, milliseconds + ms_since(start));
 }
 
-// As long as there is something new to be seen by: a picture takes its time to be made and to be sent.
+// Shows a picture of the trace every 400 ms of tracing, as making and sending one takes time.
 void DrawScheduler::trace(const Plan& plan, Place& place)
 {
     constexpr double step_ms = 400.0;

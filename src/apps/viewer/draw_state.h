@@ -7,8 +7,9 @@
 namespace lambent::viewer {
 
 /// The part of a session that drawing threads poll between tiles, also for other sessions. The session's own mutex is
-/// held while assets are looked up and JSON is written; this class therefore has a mutex of its own. Each function holds
-/// it for a few instructions only and calls nothing outside, so all may be called from any thread and under any lock.
+/// held while assets are looked up and JSON is written; this class therefore has a mutex of its own. Each function
+/// holds it for a few instructions only and calls nothing outside, so all may be called from any thread and under any
+/// lock.
 ///
 /// A request passes through these stages in order, some of them skipped, until request_view() replaces it:
 ///

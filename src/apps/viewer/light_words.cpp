@@ -11,7 +11,7 @@
 namespace lambent::viewer {
 namespace {
 
-// Far beyond what anybody lights with, and far from what a float cannot hold.
+// Limits far above practical values and far below the largest float.
 constexpr double farthest = 1e6, strongest = 1e9;
 
 double tame(double value, double least, double most)
@@ -19,7 +19,7 @@ double tame(double value, double least, double most)
     return std::isfinite(value) ? std::clamp(value, least, most) : 0.0;
 }
 
-// Over a pole and down on the other side.
+// Wraps angles in degrees: an elevation beyond a pole continues on the other side.
 void fold(double& azimuth, double& elevation)
 {
     elevation = std::remainder(tame(elevation, -1e6, 1e6), 360.0);
@@ -61,7 +61,7 @@ LightFields read_light(const std::string& word)
     std::copy(numbers.end() - 3, numbers.end(), color.begin());
     light.strength = *std::max_element(color.begin(), color.end());
     if (!(light.strength > 0.0))
-        return light; // off: white, should it be turned on
+        return light; // off, with the default colour white
     for (double& part : color)
         part /= light.strength;
     light.color = screen_color(color);

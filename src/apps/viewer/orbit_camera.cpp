@@ -20,7 +20,7 @@ bool is_empty(const scene::Bounds& bounds)
     return !(bounds.low.x <= bounds.high.x);
 }
 
-// One move cannot be more than this, whatever a client says: numbers stay finite.
+// Limits one move, so that amounts sent by a client keep all values finite.
 double tame(double amount, double most)
 {
     return std::isfinite(amount) ? std::clamp(amount, -most, most) : 0.0;

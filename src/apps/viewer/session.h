@@ -84,8 +84,8 @@ public:
     /// Nothing more is drawn.
     void close() { draw_state_.close(); }
 
-    /// The next picture to draw, if any; a long one only where `may_be_long`. If there is none, `wake` is brought forward
-    /// to when to ask again, if that is known.
+    /// The next picture to draw, if any; a long one only where `may_be_long`. If there is none, `wake` is brought
+    /// forward to when to ask again, if that is known.
     std::optional<Plan> plan(Clock::time_point now, Clock::time_point& wake, bool may_be_long);
 
     /// The plan was drawn and shown, which took so long in all.

@@ -19,13 +19,13 @@ namespace {
 
 constexpr double degrees = 180.0 / std::numbers::pi;
 
-// A file whose name looks like an option is none.
+// Keeps a file name that begins with a dash from being read as an option.
 std::string as_file(const std::string& name)
 {
     return name.starts_with('-') ? text("./", name) : name;
 }
 
-// The word of --camera, with the point that --target names.
+// The camera of the word of --camera and the point of --target.
 OrbitCamera eye_of(const std::string& word, const std::optional<glm::dvec3>& target)
 {
     const std::vector<double> numbers = cli::parse_list(word, {2, 3}, "--camera");
@@ -34,7 +34,7 @@ OrbitCamera eye_of(const std::string& word, const std::optional<glm::dvec3>& tar
     return {numbers[0], numbers[1], numbers[2], target};
 }
 
-// Within what its control can be set to, and in as many digits.
+// Sets an option, within the range of its control and rounded as by it if it has one.
 void set_option(cli::RenderArguments& asked, const Parameter& row, const std::string& word)
 {
     const cli::Option& option = row.option;
@@ -44,11 +44,11 @@ void set_option(cli::RenderArguments& asked, const Parameter& row, const std::st
     try {
         set_value(asked, option.name, row.value.get(asked, option));
     } catch (const Error& error) {
-        throw Error(Failure::usage, text("--", error.what())); // it begins with the name
+        throw Error(Failure::usage, text("--", error.what())); // the message begins with the option's name
     }
 }
 
-// The command's options behind those of the camera.
+// The options of the command that follow those of the camera, in order.
 std::vector<cli::OptionWord> words_behind_camera(const cli::RenderArguments& arguments)
 {
     std::vector<cli::OptionWord> words = cli::words_of(arguments, cli::command::render);
@@ -57,7 +57,7 @@ std::vector<cli::OptionWord> words_behind_camera(const cli::RenderArguments& arg
     return words;
 }
 
-// Without what says nothing of this scene and model, but with the camera.
+// The options with the camera, without those that have no effect on this scene and model.
 cli::RenderArguments effective(const ViewRequest& request)
 {
     cli::RenderArguments arguments = request.asked;
@@ -103,7 +103,7 @@ ViewRequest first_wish(const cli::StartArguments& start)
     if (start.given("camera"))
         request.eye = eye_of(start.given.words("camera").back(), picture.target);
     cli::for_each_row<cli::RenderArguments>(cli::command::render, [&](const Parameter& row) {
-        // load_first knows which animations there are.
+        // Options of animations are left to load_first, as the scene is not loaded yet.
         if (row.option.place > 0 && row.option.needs != cli::Needs::file)
             for (const std::string& word : start.given.words(row.option.name))
                 set_option(request.asked, row, word);
@@ -121,7 +121,7 @@ void look_through(ViewRequest& request, const scene::Scene& scene, const std::st
     const scene::Bounds bounds = scene::framed_bounds(scene);
     const double far_enough = 1e-3 * radius_of(bounds);
     double distance = std::max(glm::dot(position - middle_of(bounds), back), far_enough);
-    // What the camera is to show at least is seen where the picture is narrower, too.
+    // A picture narrower than the camera's aspect ratio shows the camera's whole width.
     const double wider = std::max(static_cast<double>(found.aspect) * request.asked.settings.height /
                                       request.asked.settings.width,
                                   1.0);
@@ -160,7 +160,7 @@ void animate(ViewRequest& request, const std::vector<scene::AnimationInfo>& anim
     request.asked.animation.clear();
     if (number < 0.0)
         return;
-    // By its name, unless that cannot be typed, or is another's name or number, too.
+    // By its name, unless that has control characters or also is the name or number of another animation.
     const auto index = static_cast<std::size_t>(number);
     const std::string& name = animations[index].name;
     if (std::none_of(name.begin(), name.end(),
