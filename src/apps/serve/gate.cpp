@@ -7,7 +7,7 @@
 namespace lambent::serve {
 namespace {
 
-// "[::1]:8080" and "localhost:8080" without the port.
+// The host without its port: "[::1]" of "[::1]:8080"; "?" where the port is not a number.
 std::string_view name_of(std::string_view host)
 {
     const std::size_t bracket = host.rfind(']'), colon = host.rfind(':');

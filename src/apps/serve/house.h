@@ -1,4 +1,4 @@
-// What all connections share. All of it is used by the serving thread alone, but where it says otherwise.
+// The state that all connections of a server share. It is used by the serving thread alone, except where noted.
 #pragma once
 
 #include "apps/serve/gate.h"
@@ -14,14 +14,14 @@ struct House {
     ServerOptions options;
     viewer::ViewRequest start;
     viewer::FileList files;
-    viewer::AssetCache& assets;       ///< any thread
-    viewer::DrawScheduler& scheduler; ///< any thread
+    viewer::AssetCache& assets;       ///< for any thread
+    viewer::DrawScheduler& scheduler; ///< for any thread
     Gate gate;
     int connections = 0, refusals = 0;
-    std::atomic<int> sessions = 0; ///< any thread may read it
+    std::atomic<int> sessions = 0; ///< any thread may read this
 };
 
-/// One place of a counted kind, given back at its end.
+/// Counts one connection or session for as long as it lives.
 template <class Count>
 class Seat {
 public:

@@ -20,7 +20,7 @@ namespace beast = boost::beast;
 namespace http = beast::http;
 using asio::ip::tcp;
 
-// Whoever was answered gets as long to read it and hang up.
+// How long a client has to read its answer and close the connection.
 constexpr std::chrono::seconds leave_time{1};
 
 std::string_view view(beast::string_view text)
@@ -58,7 +58,7 @@ private:
         if (error == http::error::body_limit)
             return refuse(http::status::payload_too_large, "requests have no body here");
         if (error == beast::error::timeout || error == http::error::end_of_stream)
-            return; // gone: the stream closes itself
+            return; // the client has gone; the stream closes itself
         if (error)
             return error.category() == http::make_error_code(http::error::bad_method).category()
                        ? refuse(http::status::bad_request, text("no request of HTTP: ", error.message()))
@@ -121,7 +121,8 @@ private:
                           });
     }
 
-    // What is still under way from the other side is read: to hang up before would take the answer away.
+    // Reads and discards what the client still sends: closing with unread data would reset the connection and could
+    // lose the answer.
     void leave()
     {
         beast::error_code error;
@@ -132,7 +133,7 @@ private:
 
     void drain()
     {
-        // The deadline stands: whoever goes on sending is not waited for.
+        // The deadline is not extended, so that a client that keeps sending is cut off.
         stream_.async_read_some(asio::buffer(rest_),
                                 [self = shared_from_this()](beast::error_code error, std::size_t) {
                                     if (!error)
@@ -153,7 +154,7 @@ private:
 
 void visit(const std::shared_ptr<House>& house, tcp::socket socket)
 {
-    // Of those who are turned away only so many are even told.
+    // Beyond twice the limit connections are closed without an answer.
     const int most = house->options.limits.connections;
     if (house->connections >= 2 * most)
         return;

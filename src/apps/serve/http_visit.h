@@ -1,4 +1,4 @@
-// One connection: a request is answered, refused, or becomes a viewer's.
+// One HTTP connection: its request is answered, refused, or upgraded to a viewer's WebSocket.
 #pragma once
 
 #include "apps/serve/house.h"
@@ -7,7 +7,7 @@
 
 namespace lambent::serve {
 
-/// Serves a new connection, whose socket it keeps until it is over.
+/// Serves a new connection, and owns its socket until it ends.
 void visit(const std::shared_ptr<House>& house, boost::asio::ip::tcp::socket socket);
 
 } // namespace lambent::serve

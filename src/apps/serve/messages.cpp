@@ -45,7 +45,7 @@ struct Said {
         return found->get<bool>();
     }
 
-    // A value for the table: pages may send numbers as numbers.
+    // The value of a parameter, which may be a number or text.
     std::string value() const
     {
         const auto found = message.find("value");

@@ -31,7 +31,7 @@ asio::ip::address address_of(const std::string& host)
     return address;
 }
 
-// The token may be any text; in an address it is percent-encoded.
+// Percent-encodes the token, which may be any text, for a URL.
 std::string encoded(const std::string& word)
 {
     constexpr std::string_view digits = "0123456789ABCDEF";
@@ -76,7 +76,7 @@ public:
 
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
-    // What the scheduler shows is handed over through the context, which goes now.
+    // The scheduler must stop first, as presenters post to context_.
     ~Impl() { house_->scheduler.stop(); }
 
     std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
@@ -114,7 +114,7 @@ private:
             }
             if (error == asio::error::operation_aborted)
                 return;
-            // No file descriptors are left, perhaps: it passes.
+            // Most likely there are no free file descriptors: accepting is tried again later.
             pause_.expires_after(std::chrono::milliseconds(50));
             pause_.async_wait([this](boost::system::error_code) { accept(); });
         });

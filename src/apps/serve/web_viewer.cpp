@@ -25,12 +25,12 @@ using viewer::ShownPicture;
 
 class WebViewer;
 
-// Called by the scheduler: encodes there and hands over to the serving thread.
+// Encodes on the drawing thread, which calls it, and posts the bytes to the serving thread.
 class WebPresenter : public viewer::Presenter {
 public:
     explicit WebPresenter(asio::any_io_executor executor) : executor_(std::move(executor)) {}
 
-    /// Before the session begins, by the serving thread.
+    /// Called once by the serving thread, before the session is drawn.
     void set_viewer(std::weak_ptr<WebViewer> viewer) { viewer_ = std::move(viewer); }
 
     void show(ShownPicture picture) override;
@@ -112,14 +112,14 @@ private:
             if (!error)
                 self->got();
             else
-                self->hang_up(); // also too large: the stream has said so in its closing frame
+                self->hang_up(); // also for too large messages, for which the stream has sent a close frame
         });
     }
 
     void got()
     {
         if (ending_)
-            return read(); // until the other side closes, too
+            return read(); // discarded until the client closes as well
         if (!socket_.got_text())
             return close(websocket::close_code::unknown_data, "messages must be text");
         if (is_flood())
@@ -184,7 +184,7 @@ private:
     {
         ending_ = true;
         session_->close();
-        // A closing frame holds at most 123 bytes of reason.
+        // A close frame has at most 123 bytes for the reason.
         socket_.async_close(websocket::close_reason(code, reason.substr(0, 120)),
                             [self = shared_from_this()](beast::error_code) {});
     }
@@ -206,7 +206,7 @@ private:
     beast::flat_buffer buffer_;
     std::deque<Outgoing> outgoing_;
     std::size_t backlog_ = 0;
-    std::deque<Clock::time_point> sent_; ///< frames not yet seen
+    std::deque<Clock::time_point> sent_; ///< when the frames were sent that are not yet seen
     Link link_;
     Clock::time_point second_{};
     int heard_ = 0;
@@ -225,7 +225,7 @@ void WebPresenter::hand_over(std::vector<std::uint8_t> bytes, bool is_text, bool
 void WebPresenter::show(ShownPicture picture)
 {
     using Kind = ShownPicture::Kind;
-    // What will soon be replaced need not be without loss.
+    // Pictures that will soon be replaced are sent as JPEG, final ones without loss.
     const bool lossy = picture.kind == Kind::moving || (picture.kind == Kind::traced && !picture.is_last);
     nlohmann::ordered_json header = {{"type", "frame"},
                                      {"kind", viewer::name_of(picture.kind)},

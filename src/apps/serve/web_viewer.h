@@ -11,7 +11,7 @@ namespace lambent::serve {
 
 using UpgradeRequest = boost::beast::http::request<boost::beast::http::empty_body>;
 
-/// Accepts the request and serves until either side ends it.
+/// Accepts the upgrade and serves the viewer until either side closes the connection.
 void start_viewer(std::shared_ptr<House> house, boost::beast::tcp_stream stream, UpgradeRequest request,
                   Seat<int> connection);
 
