@@ -39,13 +39,8 @@ void set_option(cli::RenderArguments& asked, const Parameter& row, const std::st
 {
     const cli::Option& option = row.option;
     row.value.set(asked, option, word);
-    if (option.control.label.empty())
-        return;
-    try {
+    if (!option.control.label.empty())
         set_value(asked, option.name, row.value.get(asked, option));
-    } catch (const Error& error) {
-        throw Error(Failure::usage, text("--", error.what())); // the message begins with the option's name
-    }
 }
 
 // The options of the command that follow those of the camera, in order.
