@@ -10,7 +10,7 @@
 namespace lambent::serve {
 
 /// The kind of a message.
-enum class Heard {
+enum class MessageKind {
     input, ///< an input, which may change the picture
     seen,  ///< a frame was seen
 };
@@ -23,7 +23,7 @@ public:
 
 /// Carries out a message: a JSON object with "do" and its parameters, as listed in docs/VIEWER.md. Throws Malformed for
 /// anything else, and Error(usage) for values that are refused.
-Heard hear(std::string_view message, viewer::Session& session, const viewer::FileList& files);
+MessageKind handle_message(std::string_view message, viewer::Session& session, const viewer::FileList& files);
 
 /// The first message to a page: the parameters, and the names of scenes and environments that may be opened.
 std::string hello(const viewer::FileList& files);

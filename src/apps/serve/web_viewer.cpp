@@ -53,8 +53,8 @@ struct Outgoing {
 
 class WebViewer : public std::enable_shared_from_this<WebViewer> {
 public:
-    WebViewer(std::shared_ptr<House> house, beast::tcp_stream stream, Seat<int> connection)
-        : house_(std::move(house)), connection_(std::move(connection)), seat_(house_->sessions),
+    WebViewer(std::shared_ptr<ServerState> server, beast::tcp_stream stream, Counted<int> connection)
+        : server_(std::move(server)), connection_(std::move(connection)), seat_(server_->sessions),
           socket_(std::move(stream)), presenter_(std::make_shared<WebPresenter>(socket_.get_executor()))
     {
     }
@@ -62,12 +62,12 @@ public:
     ~WebViewer()
     {
         if (session_)
-            house_->scheduler.remove(session_);
+            server_->scheduler.remove(session_);
     }
 
     void start(UpgradeRequest request)
     {
-        const Limits& limits = house_->options.limits;
+        const Limits& limits = server_->options.limits;
         beast::get_lowest_layer(socket_).expires_never();
         beast::get_lowest_layer(socket_).socket().set_option(asio::ip::tcp::no_delay(true));
         socket_.set_option(websocket::stream_base::timeout{std::chrono::seconds(limits.request_seconds),
@@ -87,7 +87,7 @@ public:
             return;
         backlog_ += message.bytes.size();
         outgoing_.push_back(std::move(message));
-        if (backlog_ > house_->options.limits.backlog_bytes)
+        if (backlog_ > server_->options.limits.backlog_bytes)
             return hang_up();
         if (outgoing_.size() == 1)
             write();
@@ -97,9 +97,9 @@ private:
     void begin()
     {
         presenter_->set_viewer(weak_from_this());
-        session_ = std::make_shared<viewer::Session>(house_->start, house_->assets, presenter_);
-        send_text(hello(house_->files));
-        house_->scheduler.add(session_);
+        session_ = std::make_shared<viewer::Session>(server_->start, server_->assets, presenter_);
+        send_text(hello(server_->files));
+        server_->scheduler.add(session_);
         read();
     }
 
@@ -127,9 +127,9 @@ private:
         try {
             const auto bytes = buffer_.data();
             const std::string_view message(static_cast<const char*>(bytes.data()), bytes.size());
-            if (hear(message, *session_, house_->files) == Heard::seen)
+            if (handle_message(message, *session_, server_->files) == MessageKind::seen)
                 note_seen();
-            house_->scheduler.nudge();
+            server_->scheduler.nudge();
         } catch (const Malformed& malformed) {
             return close(websocket::close_code::bad_payload, malformed.what());
         } catch (const Error& error) {
@@ -145,7 +145,7 @@ private:
             second_ = now;
             heard_ = 0;
         }
-        return ++heard_ > house_->options.limits.messages_per_second;
+        return ++heard_ > server_->options.limits.messages_per_second;
     }
 
     void note_seen()
@@ -196,9 +196,9 @@ private:
         beast::close_socket(beast::get_lowest_layer(socket_));
     }
 
-    std::shared_ptr<House> house_;
-    Seat<int> connection_;
-    Seat<std::atomic<int>> seat_;
+    std::shared_ptr<ServerState> server_;
+    Counted<int> connection_;
+    Counted<std::atomic<int>> seat_;
     websocket::stream<beast::tcp_stream, false> socket_;
     std::shared_ptr<WebPresenter> presenter_;
     std::shared_ptr<viewer::Session> session_;
@@ -264,10 +264,10 @@ void WebPresenter::save(viewer::Saved saved)
 
 } // namespace
 
-void start_viewer(std::shared_ptr<House> house, beast::tcp_stream stream, UpgradeRequest request,
-                  Seat<int> connection)
+void start_viewer(std::shared_ptr<ServerState> server, beast::tcp_stream stream, UpgradeRequest request,
+                  Counted<int> connection)
 {
-    std::make_shared<WebViewer>(std::move(house), std::move(stream), std::move(connection))
+    std::make_shared<WebViewer>(std::move(server), std::move(stream), std::move(connection))
         ->start(std::move(request));
 }
 

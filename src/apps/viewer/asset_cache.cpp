@@ -32,12 +32,12 @@ bool has_changed(const std::map<std::string, std::string>& watch)
                        [](const auto& file) { return signature_of(file.first) != file.second; });
 }
 
-// Watches `file` and `beside` instead of what was watched before. Files that are new here have not been read yet.
-void watch_too(const std::vector<std::filesystem::path>& beside, const std::string& file,
-               std::map<std::string, std::string>& watch)
+// Watches `file` and `others` instead of what was watched before. Files that are new here have not been read yet.
+void watch_files(const std::vector<std::filesystem::path>& others, const std::string& file,
+                 std::map<std::string, std::string>& watch)
 {
     std::map<std::string, std::string> next = {{file, watch.at(file)}};
-    for (const std::filesystem::path& path : beside) {
+    for (const std::filesystem::path& path : others) {
         const std::string name = path.string();
         if (next.size() < AssetCache::most_watched)
             next.emplace(name, watch.contains(name) ? watch.at(name) : signature_of(name));
@@ -63,7 +63,9 @@ std::string file_of_environment(const std::string& name)
 
 } // namespace
 
-AssetCache::AssetCache(StockOptions options) : options_(std::move(options)), thread_([this] { work(); }) {}
+AssetCache::AssetCache(AssetCacheOptions options) : options_(std::move(options)), thread_([this] { work(); })
+{
+}
 
 AssetCache::~AssetCache()
 {
@@ -159,7 +161,7 @@ void AssetCache::work()
     while (!ending_) {
         if (waiting_.empty()) {
             wake_.wait_for(lock, std::chrono::milliseconds(watch_ms));
-            look_at_files();
+            reload_changed();
         } else {
             load_one(lock);
         }
@@ -177,10 +179,10 @@ void AssetCache::load_one(std::unique_lock<std::mutex>& lock)
     // Taken before loading, so that a file written during it is loaded again.
     for (auto& [name, signature] : watch)
         signature = signature_of(name);
-    const auto note = [&](const std::vector<std::filesystem::path>& beside) {
-        watch_too(beside, file, watch);
+    const auto note = [&](const std::vector<std::filesystem::path>& others) {
+        watch_files(others, file, watch);
     };
-    Thing value;
+    Asset value;
     std::string problem;
     Failure failure = Failure::bad_input;
     try {
@@ -215,7 +217,7 @@ void AssetCache::load_one(std::unique_lock<std::mutex>& lock)
     done_.notify_all();
 }
 
-void AssetCache::look_at_files()
+void AssetCache::reload_changed()
 {
     for (auto& [key, slot] : slots_)
         if (slot.loaded && !slot.busy && has_changed(slot.watch)) {

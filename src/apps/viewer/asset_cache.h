@@ -18,7 +18,7 @@
 
 namespace lambent::viewer {
 
-struct StockOptions {
+struct AssetCacheOptions {
     bool cache = true; ///< whether environments and shaders are cached in the user's folder
     cli::Backend backend = cli::Backend::automatic;
     std::function<void(const std::string&)> warn = [](const std::string&) {}; ///< as RendererChoice::warn
@@ -43,7 +43,7 @@ struct Found {
 /// All functions may be called from any thread.
 class AssetCache {
 public:
-    explicit AssetCache(StockOptions options = {});
+    explicit AssetCache(AssetCacheOptions options = {});
     AssetCache(const AssetCache&) = delete;
     AssetCache& operator=(const AssetCache&) = delete;
     ~AssetCache();
@@ -70,13 +70,13 @@ public:
     static constexpr std::size_t most_watched = 256; ///< files of one asset
 
 private:
-    using Thing = std::shared_ptr<void>;
+    using Asset = std::shared_ptr<void>;
     using NoteFiles = Model::NoteFiles;
-    using Load = std::function<Thing(const NoteFiles&)>;
+    using Load = std::function<Asset(const NoteFiles&)>;
     /// Files, each with a signature that changes with the file.
     using Watch = std::map<std::string, std::string>;
     struct Slot {
-        Thing value;
+        Asset value;
         std::string error, file; ///< `file` is empty for built-in assets
         Watch watch;
         Failure failure = Failure::bad_input;
@@ -90,10 +90,10 @@ private:
     Slot& wait_for(const std::string& key, std::unique_lock<std::mutex>& lock);
     void work();
     void load_one(std::unique_lock<std::mutex>& lock);
-    void look_at_files();
+    void reload_changed();
     void drop_unused();
 
-    const StockOptions options_;
+    const AssetCacheOptions options_;
     std::mutex mutex_;
     std::condition_variable wake_, done_;
     std::map<std::string, Slot> slots_;

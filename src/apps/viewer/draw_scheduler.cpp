@@ -14,7 +14,7 @@ namespace {
 using Task = Plan::Task;
 
 // Thrown from a progress callback to leave a drawing that is no longer wanted.
-struct Overtaken {};
+struct Abandoned {};
 
 // A session counts as moving for so long after its last picture of a moving view.
 constexpr std::chrono::milliseconds lull{300};
@@ -52,8 +52,8 @@ void DrawScheduler::add(std::shared_ptr<Session> session)
 {
     {
         const std::lock_guard lock(mutex_);
-        places_.push_back(std::make_shared<Place>());
-        places_.back()->session = std::move(session);
+        clients_.push_back(std::make_shared<Client>());
+        clients_.back()->session = std::move(session);
     }
     nudge();
 }
@@ -62,7 +62,8 @@ void DrawScheduler::remove(const std::shared_ptr<Session>& session)
 {
     session->close();
     const std::lock_guard lock(mutex_);
-    std::erase_if(places_, [&](const std::shared_ptr<Place>& place) { return place->session == session; });
+    std::erase_if(clients_,
+                  [&](const std::shared_ptr<Client>& client) { return client->session == session; });
 }
 
 void DrawScheduler::nudge()
@@ -74,20 +75,20 @@ void DrawScheduler::nudge()
     wake_.notify_all();
 }
 
-DrawScheduler::Places DrawScheduler::places()
+DrawScheduler::Clients DrawScheduler::clients()
 {
     const std::lock_guard lock(mutex_);
-    return places_;
+    return clients_;
 }
 
 // Returns whether `is_moving`, which must not block, holds for another session; also for this one while it saves a
 // picture, as its view may have moved on since.
 template <class IsMoving>
-bool DrawScheduler::any_moves(const Place& place, const IsMoving& is_moving)
+bool DrawScheduler::any_other(const Client& client, const IsMoving& is_moving)
 {
     const std::lock_guard lock(mutex_);
-    return std::any_of(places_.begin(), places_.end(), [&](const std::shared_ptr<Place>& other) {
-        return (other.get() != &place || place.session->is_saving()) && is_moving(*other);
+    return std::any_of(clients_.begin(), clients_.end(), [&](const std::shared_ptr<Client>& other) {
+        return (other.get() != &client || client.session->is_saving()) && is_moving(*other);
     });
 }
 
@@ -105,42 +106,42 @@ void DrawScheduler::work()
 
 bool DrawScheduler::work_once(Clock::time_point& wake)
 {
-    const Places all = places();
+    const Clients all = clients();
     for (std::size_t i = 0; i < all.size(); ++i) {
         const std::size_t turn = (next_ + i) % all.size();
-        Place& place = *all[turn];
+        Client& client = *all[turn];
         const Clock::time_point now = Clock::now();
         const bool may_be_long =
-            now >= place.long_from || !any_moves(place, [&](const Place& other) {
+            now >= client.long_after || !any_other(client, [&](const Client& other) {
                 return other.session->waits_for_moving_picture() || now - other.moved < lull;
             });
         if (!may_be_long)
-            wake = std::min({wake, place.long_from, now + lull});
-        if (const std::optional<Plan> plan = place.session->plan(now, wake, may_be_long)) {
+            wake = std::min({wake, client.long_after, now + lull});
+        if (const std::optional<Plan> plan = client.session->plan(now, wake, may_be_long)) {
             next_ = turn + 1;
-            carry_out(*plan, place);
+            carry_out(*plan, client);
             return true;
         }
     }
     return false;
 }
 
-bool DrawScheduler::goes_on(const Plan& plan, const Place& place, Clock::time_point start)
+bool DrawScheduler::may_continue(const Plan& plan, const Client& client, Clock::time_point start)
 {
-    if (ending_ || (plan.is_long() && place.session->is_stale(plan)))
-        throw Overtaken{};
+    if (ending_ || (plan.is_long() && client.session->is_stale(plan)))
+        throw Abandoned{};
     return !plan.is_long() || Clock::now() - start < slice ||
-           !any_moves(place, [](const Place& other) { return other.session->waits_for_moving_picture(); });
+           !any_other(client, [](const Client& other) { return other.session->waits_for_moving_picture(); });
 }
 
 // Returns the plan's picture, paused or new, with the model in the plan's pose.
-DrawScheduler::BegunPicture DrawScheduler::begin_or_go_on(const Plan& plan, Place& place)
+DrawScheduler::BegunPicture DrawScheduler::begin_or_resume(const Plan& plan, Client& client)
 {
     plan.model->pose(plan.arguments);
-    if (place.paused && place.session->is_stale(place.paused->plan))
-        place.paused.reset();
-    if (place.paused && place.paused->plan.task == plan.task && place.paused->plan.serial == plan.serial)
-        return std::move(place.paused);
+    if (client.paused && client.session->is_stale(client.paused->plan))
+        client.paused.reset();
+    if (client.paused && client.paused->plan.task == plan.task && client.paused->plan.serial == plan.serial)
+        return std::move(client.paused);
     const auto& environment = plan.environment->environment;
     const draw::Settings& settings = plan.arguments.settings;
     draw::Renderer& renderer = plan.model->renderer(settings.texel_transfer);
@@ -148,17 +149,17 @@ DrawScheduler::BegunPicture DrawScheduler::begin_or_go_on(const Plan& plan, Plac
         Begun{plan, renderer.start(environment ? &*environment : nullptr, settings)});
 }
 
-void DrawScheduler::draw(const Plan& plan, Place& place)
+void DrawScheduler::draw(const Plan& plan, Client& client)
 {
     const Clock::time_point start = Clock::now();
-    BegunPicture begun = begin_or_go_on(plan, place);
-    const bool whole = begun->drawing->advance([&](float) { return goes_on(plan, place, start); });
+    BegunPicture begun = begin_or_resume(plan, client);
+    const bool whole = begun->drawing->advance([&](float) { return may_continue(plan, client, start); });
     begun->milliseconds += ms_since(start);
     if (whole) {
-        finish(plan, *place.session, begun->drawing->take(), begun->milliseconds);
+        finish(plan, *client.session, begun->drawing->take(), begun->milliseconds);
     } else {
-        place.paused = std::move(begun);
-        place.session->plan_paused(plan);
+        client.paused = std::move(begun);
+        client.session->plan_paused(plan);
     }
 }
 
@@ -168,44 +169,45 @@ void DrawScheduler::finish(const Plan& plan, Session& session, draw::Frame frame
     const Clock::time_point start = Clock::now();
     present_frame(plan, frame, milliseconds, session);
     if (plan.task == Task::rest && lacks_layer(plan, frame))
-        session.report_error(text("the model phong has no layer ", plan.layer, ": this is the picture"));
+        session.report_error(
+            text("the model phong has no layer ", plan.layer, ": the picture is shown instead"));
     if (plan.is_compared)
         session.light_drawn(plan, std::move(frame.radiance));
     session.picture_finished(plan, milliseconds + ms_since(start));
 }
 
 // Shows a picture of the trace every 400 ms of tracing, as making and sending one takes time.
-void DrawScheduler::trace(const Plan& plan, Place& place)
+void DrawScheduler::trace(const Plan& plan, Client& client)
 {
     constexpr double step_ms = 400.0;
     const Clock::time_point start = Clock::now();
     const bool finished = plan.trace->advance([&](const reference::Progress&) {
-        const bool is_due = plan.trace->has_picture() && place.unseen_ms + ms_since(start) >= step_ms;
-        return goes_on(plan, place, start) && !is_due;
+        const bool is_due = plan.trace->has_picture() && client.unseen_ms + ms_since(start) >= step_ms;
+        return may_continue(plan, client, start) && !is_due;
     });
-    place.unseen_ms += ms_since(start);
-    if (!finished && (place.unseen_ms < step_ms || !plan.trace->has_picture())) {
-        place.session->plan_paused(plan);
+    client.unseen_ms += ms_since(start);
+    if (!finished && (client.unseen_ms < step_ms || !plan.trace->has_picture())) {
+        client.session->plan_paused(plan);
         return;
     }
     ShownPicture picture = plan.trace->picture();
-    complete_picture(plan, place.unseen_ms, picture);
-    place.unseen_ms = 0.0;
-    place.session->presenter().show(std::move(picture));
+    complete_picture(plan, client.unseen_ms, picture);
+    client.unseen_ms = 0.0;
+    client.session->presenter().show(std::move(picture));
     if (finished)
-        place.session->trace_finished(plan);
+        client.session->trace_finished(plan);
 }
 
-void DrawScheduler::carry_out(const Plan& plan, Place& place)
+void DrawScheduler::carry_out(const Plan& plan, Client& client)
 {
     const Clock::time_point start = Clock::now();
-    Session& session = *place.session;
+    Session& session = *client.session;
     try {
         if (plan.task == Task::trace)
-            trace(plan, place);
+            trace(plan, client);
         else
-            draw(plan, place);
-    } catch (const Overtaken&) {
+            draw(plan, client);
+    } catch (const Abandoned&) {
         session.plan_failed(plan, "");
     } catch (const std::bad_alloc&) {
         session.plan_failed(plan, "not enough memory for the picture");
@@ -214,9 +216,9 @@ void DrawScheduler::carry_out(const Plan& plan, Place& place)
     }
     const Clock::time_point end = Clock::now();
     if (plan.is_long())
-        place.long_from = end + others_share * (end - start);
+        client.long_after = end + others_share * (end - start);
     else
-        place.moved = end;
+        client.moved = end;
 }
 
 } // namespace lambent::viewer

@@ -44,31 +44,31 @@ private:
     using BegunPicture = std::unique_ptr<Begun>;
 
     /// A session and the state of its drawing; all but the session itself is used by the drawing thread alone.
-    struct Place {
+    struct Client {
         std::shared_ptr<Session> session;
         BegunPicture paused;
-        double unseen_ms = 0.0;        ///< of tracing since its last picture
-        Clock::time_point moved{};     ///< when a picture that is not long was drawn last
-        Clock::time_point long_from{}; ///< no long picture is drawn before this while other sessions move
+        double unseen_ms = 0.0;         ///< of tracing since its last picture
+        Clock::time_point moved{};      ///< when a picture that is not long was drawn last
+        Clock::time_point long_after{}; ///< no long picture is drawn before this while other sessions move
     };
-    using Places = std::vector<std::shared_ptr<Place>>;
+    using Clients = std::vector<std::shared_ptr<Client>>;
 
-    Places places();
-    static BegunPicture begin_or_go_on(const Plan& plan, Place& place);
+    Clients clients();
+    static BegunPicture begin_or_resume(const Plan& plan, Client& client);
     template <class IsMoving>
-    bool any_moves(const Place& place, const IsMoving& is_moving);
+    bool any_other(const Client& client, const IsMoving& is_moving);
     void work();
     bool work_once(Clock::time_point& wake);
-    void carry_out(const Plan& plan, Place& place);
-    void draw(const Plan& plan, Place& place);
-    void trace(const Plan& plan, Place& place);
+    void carry_out(const Plan& plan, Client& client);
+    void draw(const Plan& plan, Client& client);
+    void trace(const Plan& plan, Client& client);
     void finish(const Plan& plan, Session& session, draw::Frame frame, double milliseconds) const;
-    bool goes_on(const Plan& plan, const Place& place, Clock::time_point start);
+    bool may_continue(const Plan& plan, const Client& client, Clock::time_point start);
 
     AssetCache& assets_;
     std::mutex mutex_;
     std::condition_variable wake_;
-    Places places_;
+    Clients clients_;
     std::size_t next_ = 0;
     bool nudged_ = false;
     std::atomic<bool> ending_ = false;

@@ -103,7 +103,7 @@ void FileList::check_file(const std::string& name, const std::vector<std::string
                                      [&](const fs::path& folder) { return is_in(name, folder); });
     if (!allowed)
         throw Error(Failure::usage,
-                    text("'", one_line(name.substr(0, 100)), "' is none of the files that may be opened"));
+                    text("'", one_line(name.substr(0, 100)), "' is not among the files that may be opened"));
 }
 
 void FileList::check_scene(const std::string& name) const

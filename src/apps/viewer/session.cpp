@@ -64,7 +64,7 @@ void Session::reset(std::uint64_t input)
     request_.asked.settings.height = old.asked.settings.height;
     set_playing(std::nullopt);
     if (request_.asked.scene != start_.asked.scene) {
-        request_.eye = first_eye(request_.asked.scene);
+        request_.eye = default_camera(request_.asked.scene);
         request_.asked.animation.clear();
     }
     forget_lost_animation();
@@ -185,9 +185,9 @@ void Session::save(const std::string& kind)
 {
     const std::lock_guard lock(mutex_);
     if (kind != "png" && kind != "jpg")
-        throw Error(Failure::usage, text("save: '", kind.substr(0, 20), "' is none of png, jpg"));
+        throw Error(Failure::usage, text("save: '", kind.substr(0, 20), "' is neither png nor jpg"));
     if (draw_state_.unsaved() >= most_saves || !save_kind_.empty())
-        throw Error(Failure::usage, "save: a picture is being saved already");
+        throw Error(Failure::usage, "save: another picture is still being saved");
     save_kind_ = kind;
     draw_state_.save_requested();
     if (find_assets())

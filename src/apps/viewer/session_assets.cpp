@@ -67,7 +67,7 @@ void Session::finish_opening()
     ViewRequest request = request_;
     (opening_.is_scene ? request.asked.scene : request.asked.environment) = opening_.name;
     if (opening_.is_scene) {
-        request.eye = first_eye(request.asked.scene);
+        request.eye = default_camera(request.asked.scene);
         request.asked.animation.clear();
     }
     bool is_loading = false, is_loaded = false;

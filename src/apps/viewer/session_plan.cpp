@@ -64,7 +64,7 @@ void Session::plan_requested_save()
     } else if (!is_loading_) {
         save_kind_.clear();
         draw_state_.save_finished();
-        set_error(text("nothing was saved: ", file_error_));
+        set_error(text("the picture was not saved: ", file_error_));
     }
 }
 

@@ -73,27 +73,27 @@ cli::RenderArguments effective(const ViewRequest& request)
 
 } // namespace
 
-OrbitCamera first_eye(const std::string& scene)
+OrbitCamera default_camera(const std::string& scene)
 {
     const view::Orbit orbit = cli::default_orbit(scene);
     return {static_cast<double>(orbit.azimuth) * degrees, static_cast<double>(orbit.elevation) * degrees};
 }
 
-ViewRequest plain_wish(const std::string& scene, const std::string& environment)
+ViewRequest default_request(const std::string& scene, const std::string& environment)
 {
-    ViewRequest request{{}, first_eye(scene)};
+    ViewRequest request{{}, default_camera(scene)};
     request.asked.scene = scene;
     request.asked.environment = environment;
     return request;
 }
 
-ViewRequest first_wish(const cli::StartArguments& start)
+ViewRequest starting_request(const cli::StartArguments& start)
 {
     const cli::RenderArguments& picture = start.picture;
-    ViewRequest request = plain_wish(picture.scene, picture.environment);
+    ViewRequest request = default_request(picture.scene, picture.environment);
     if (picture.light_words.size() > most_lights)
-        throw Error(Failure::usage,
-                    text("--light: ", picture.light_words.size(), " are more than a viewer's ", most_lights));
+        throw Error(Failure::usage, text("--light: ", picture.light_words.size(),
+                                         " lights, but a viewer has at most ", most_lights));
     set_size(request, picture.settings.width, picture.settings.height);
     if (start.given("camera"))
         request.eye = eye_of(start.given.words("camera").back(), picture.target);
@@ -135,7 +135,8 @@ void look_through(ViewRequest& request, const scene::Scene& scene, const std::st
 void set_lights(ViewRequest& request, const std::vector<std::string>& lights)
 {
     if (lights.size() > most_lights)
-        throw Error(Failure::usage, text("lights: ", lights.size(), " are more than ", most_lights));
+        throw Error(Failure::usage,
+                    text("lights: ", lights.size(), " lights, but at most ", most_lights, " are possible"));
     for (const std::string& light : lights)
         cli::parse_light(light, "light");
     cli::Given given;

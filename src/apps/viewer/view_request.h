@@ -22,14 +22,14 @@ constexpr std::size_t most_lights = 16;
 constexpr int most_pixels = 2560 * 1600;
 
 /// A scene seen from its default camera, with every option at its default.
-ViewRequest plain_wish(const std::string& scene, const std::string& environment);
+ViewRequest default_request(const std::string& scene, const std::string& environment);
 
 /// The request of a command line, without its animation and its --camera-node, which need the loaded scene. Throws
 /// Error(usage) where a control cannot be set to a value.
-ViewRequest first_wish(const cli::StartArguments& start);
+ViewRequest starting_request(const cli::StartArguments& start);
 
 /// The default camera of a scene.
-OrbitCamera first_eye(const std::string& scene);
+OrbitCamera default_camera(const std::string& scene);
 
 /// Takes the view of a camera of the scene, with the up direction vertical, and its field of view. An orthographic
 /// camera is replaced by a perspective one that shows the same height at the middle of the scene. Throws Error(usage)

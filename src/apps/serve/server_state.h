@@ -10,7 +10,7 @@
 
 namespace lambent::serve {
 
-struct House {
+struct ServerState {
     ServerOptions options;
     viewer::ViewRequest start;
     viewer::FileList files;
@@ -23,12 +23,12 @@ struct House {
 
 /// Counts one connection or session for as long as it lives.
 template <class Count>
-class Seat {
+class Counted {
 public:
-    explicit Seat(Count& count) : count_(&count) { ++count; }
-    Seat(Seat&& other) noexcept : count_(std::exchange(other.count_, nullptr)) {}
-    Seat& operator=(Seat&&) = delete;
-    ~Seat()
+    explicit Counted(Count& count) : count_(&count) { ++count; }
+    Counted(Counted&& other) noexcept : count_(std::exchange(other.count_, nullptr)) {}
+    Counted& operator=(Counted&&) = delete;
+    ~Counted()
     {
         if (count_)
             --*count_;
