@@ -13,7 +13,7 @@ namespace {
 using viewer::OrbitCamera, viewer::Session, viewer::ViewRequest;
 using Key = Window::Key;
 
-// A drag over the window's height.
+// Degrees for a drag over the height of the window.
 constexpr double degrees_across = 180.0;
 constexpr double key_degrees = 5.0, key_dolly = 0.1, key_pan = 0.05, wheel_dolly = 0.12, key_exposure = 1.25;
 
@@ -168,7 +168,7 @@ bool is_for(const Shortcut& shortcut, const Key& key)
     return shortcut.act && named && shortcut.control == key.control && (shortcut.repeats || !key.repeated);
 }
 
-// While a control of the panel is chosen by keys, arrows move there.
+// Whether Dear ImGui uses the key: text input, and arrows while a control of the panel has the keyboard focus.
 bool is_for_controls(const Key& key)
 {
     const ImGuiIO& io = ImGui::GetIO();

@@ -1,4 +1,4 @@
-// The window of `lambent view`, which starts this program and passes its words on.
+// The program of the window: `lambent view` starts it with its own arguments.
 #include "apps/options/arguments.h"
 #include "apps/common/program.h"
 #include "apps/view/view_window.h"

@@ -1,4 +1,4 @@
-// What the window remembers from one time to the next.
+// Settings of the window that are kept between runs.
 #pragma once
 
 #include "apps/view/window_place.h"
@@ -14,18 +14,18 @@ struct Memory {
     bool panel = true;
 };
 
-/// $XDG_CONFIG_HOME/lambent/view.json, or under ~/.config; none where there is neither.
+/// $XDG_CONFIG_HOME/lambent/view.json, or ~/.config/lambent/view.json; unset if neither variable is an absolute path.
 std::optional<std::filesystem::path> memory_file();
 
-/// From a file's text. What it does not say, or says wrongly, or another version says, is as usual; `complaint` then has
-/// a line.
+/// Parses a file. Missing or invalid values keep their defaults. Text that cannot be parsed or has another version
+/// gives the defaults and sets `complaint` to one line.
 Memory read_memory(const std::string& json, std::string& complaint);
 std::string write_memory(const Memory& memory);
 
-/// From the user's file; `complaint` gets a line that names it if it is broken.
+/// Reads the user's file; `complaint` is set to a line with its name if it is invalid.
 Memory load_memory(std::string& complaint);
 
-/// Into the user's file. Where it cannot be kept the next window starts as usual: no reason to fail.
+/// Writes the user's file. Failures are ignored: the next window then starts with the defaults.
 void keep_memory(const Memory& memory);
 
 } // namespace lambent::view_window

@@ -47,11 +47,11 @@ void run(const cli::ViewArguments& arguments)
                                picture.common.strict,
                                {true, {}}});
     const viewer::ViewRequest start = viewer::load_first(arguments.start, assets, console);
-    // Until here there is nothing to lose.
+    // Only from here on does an interrupt have to wait for pictures that are being saved.
     const cli::Interrupt interrupt;
     View view(start, memory, viewer::FileList(folders(picture)), assets);
     memory = view.run([&] { return interrupt.asked(); });
-    if (has_size) // a size for once
+    if (has_size) // --size is for this run only
         memory.place = before.place;
     keep_memory(memory);
 }
