@@ -14,7 +14,7 @@ int main(int count, char** words)
         const cli::Arguments arguments = cli::parse_arguments(count, words);
         const auto* const view = std::get_if<cli::ViewArguments>(&arguments);
         if (!view)
-            throw Error(Failure::usage, "this is the window of lambent view: start that");
+            throw Error(Failure::usage, "this program is started by lambent view: use that");
         view_window::run(*view);
     });
 }

@@ -110,7 +110,8 @@ void show_line(const Shown& shown, Pressed& pressed)
 
 void show_messages(const Shown& shown, float width)
 {
-    const std::string ending = shown.ending ? "The picture is being saved: then this window closes." : "";
+    const std::string ending =
+        shown.ending ? "The picture is being saved; this window closes afterwards." : "";
     if (shown.error.empty() && shown.refusal.empty() && shown.notice.empty() && ending.empty())
         return;
     const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -139,10 +140,9 @@ void show_help(bool& open)
                                    shortcut.meaning.data() + shortcut.meaning.size());
         }
         ImGui::Separator();
-        ImGui::TextUnformatted(
-            "A model (.gltf, .glb) or a panorama (.hdr, .exr)\nthat is dropped here is opened.\n"
-            "A right click on a control: its default.\n"
-            "Ctrl and a click on a slider: a number to type.");
+        ImGui::TextUnformatted("Drop a model (.gltf, .glb) or a panorama (.hdr, .exr)\nhere to open it.\n"
+                               "Right-click a control to set its default.\n"
+                               "Ctrl-click a slider to type a number.");
     }
     ImGui::End();
 }

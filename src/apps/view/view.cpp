@@ -37,10 +37,10 @@ std::string title_of(const std::string& scene)
 
 } // namespace
 
-View::View(viewer::ViewRequest start, const Memory& memory, viewer::FileList files,
+View::View(viewer::ViewRequest start, const WindowSettings& settings, viewer::FileList files,
            viewer::AssetCache& assets)
-    : window_(title_of(start.asked.scene), memory.place), scheduler_(assets),
-      screen_(std::make_shared<Screen>()), panels_(std::move(files), memory.panel)
+    : window_(title_of(start.asked.scene), settings.place), scheduler_(assets),
+      screen_(std::make_shared<Screen>()), panels_(std::move(files), settings.panel)
 {
     const Window::Pixels pixels = window_.pixels();
     viewer::set_size(start, pixels.width, pixels.height);
@@ -53,7 +53,7 @@ View::~View()
     scheduler_.remove(session_);
 }
 
-Memory View::run(const std::function<bool()>& stopped)
+WindowSettings View::run(const std::function<bool()>& stopped)
 {
     // Dear ImGui reacts to input one frame later: without new input two more frames are drawn, then four per second.
     for (int due = 2; !is_done(stopped()); --due) {
@@ -191,9 +191,11 @@ void View::write(const viewer::Saved& saved)
     }
 }
 
+// The session's own line may already begin with this.
 void View::give_up_saving(const std::string& why)
 {
-    unsaved_ = text("The picture was not saved: ", why);
+    constexpr std::string_view begin = "the picture was not saved: ";
+    unsaved_ = text("The picture was not saved: ", why.starts_with(begin) ? why.substr(begin.size()) : why);
     refuse(unsaved_);
 }
 

@@ -3,7 +3,7 @@
 
 #include "apps/view/canvas.h"
 #include "apps/view/input_handler.h"
-#include "apps/view/memory.h"
+#include "apps/view/window_settings.h"
 #include "apps/view/panel.h"
 #include "apps/view/screen.h"
 #include "apps/view/window.h"
@@ -21,7 +21,8 @@ namespace lambent::view_window {
 class View {
 public:
     /// Opens the window. Throws Error(no_device) if that fails.
-    View(viewer::ViewRequest start, const Memory& memory, viewer::FileList files, viewer::AssetCache& assets);
+    View(viewer::ViewRequest start, const WindowSettings& settings, viewer::FileList files,
+         viewer::AssetCache& assets);
     ~View();
     View(const View&) = delete;
     View& operator=(const View&) = delete;
@@ -29,7 +30,7 @@ public:
     /// Runs until the window is closed or `stopped` returns true, and all requested pictures are saved. Returns the
     /// settings to keep. If a picture cannot be saved, a closed window stays open and shows the reason; a stopped one
     /// throws Error(cannot_write).
-    Memory run(const std::function<bool()>& stopped);
+    WindowSettings run(const std::function<bool()>& stopped);
 
     /// How long pictures that are being saved are waited for at the end.
     static constexpr std::chrono::seconds patience{60};

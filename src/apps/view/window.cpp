@@ -27,7 +27,7 @@ std::string reason()
 Error no_window(const std::string& why)
 {
     return {Failure::no_device,
-            text("no window can be opened: ", why, "; lambent serve shows the same in a browser")};
+            text("no window can be opened: ", why, "; use lambent serve in a browser instead")};
 }
 
 std::vector<WorkArea> work_areas()
@@ -63,7 +63,7 @@ void start_gui(GLFWwindow* window)
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr; // settings are kept by memory.h instead
+    io.IniFilename = nullptr; // settings are kept by window_settings.h instead
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     ImGui_ImplGlfw_InitForOpenGL(window, true);
     ImGui_ImplOpenGL3_Init("#version 130");
