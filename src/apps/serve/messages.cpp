@@ -71,11 +71,13 @@ struct MessageReader {
 };
 
 using Action = std::function<void(const MessageReader&)>;
+using Actions = std::map<std::string, Action, std::less<>>;
+using World = OrbitCamera::World;
 
-const std::map<std::string, Action, std::less<>>& actions()
+// The messages that change the request.
+Actions request_changes()
 {
-    using World = OrbitCamera::World;
-    static const std::map<std::string, Action, std::less<>> actions = {
+    return {
         {"orbit",
          [](const MessageReader& s) {
              const double x = s.number("x"), y = s.number("y");
@@ -114,6 +116,13 @@ const std::map<std::string, Action, std::less<>>& actions()
              const double width = s.number("width"), height = s.number("height");
              s.change([&](ViewRequest& request, const World&) { viewer::set_size(request, width, height); });
          }},
+    };
+}
+
+// The messages that the session carries out itself.
+Actions session_calls()
+{
+    return {
         {"animate", [](const MessageReader& s) { s.session.animate(s.id, s.number("number")); }},
         {"moment", [](const MessageReader& s) { s.session.seek(s.id, s.number("seconds")); }},
         {"play", [](const MessageReader& s) { s.session.play(s.id, s.yes("on")); }},
@@ -133,7 +142,16 @@ const std::map<std::string, Action, std::less<>>& actions()
              s.session.open_environment(name, s.id);
          }},
     };
-    return actions;
+}
+
+const Actions& actions()
+{
+    static const Actions all = [] {
+        Actions both = request_changes();
+        both.merge(session_calls());
+        return both;
+    }();
+    return all;
 }
 
 std::string dumped(const nlohmann::ordered_json& message)
