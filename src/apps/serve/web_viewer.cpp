@@ -225,7 +225,7 @@ void WebPresenter::hand_over(std::vector<std::uint8_t> bytes, bool is_text, bool
 void WebPresenter::show(ShownPicture picture)
 {
     using Kind = ShownPicture::Kind;
-    // Pictures that will soon be replaced are sent as JPEG, final ones without loss.
+    // Moving views and unfinished traces will soon be replaced: they are sent as JPEG, all others without loss.
     const bool lossy = picture.kind == Kind::moving || (picture.kind == Kind::traced && !picture.is_last);
     nlohmann::ordered_json header = {{"type", "frame"},
                                      {"kind", viewer::name_of(picture.kind)},
