@@ -136,7 +136,7 @@ void print(const Moving& moving, const Moving& beside, const Single& single)
 
 int main()
 {
-    viewer::ViewRequest start = viewer::plain_wish("grid", "kitchen");
+    viewer::ViewRequest start = viewer::default_request("grid", "kitchen");
     viewer::AssetCache assets;
     assets.load(viewer::arguments_of(start));
     viewer::DrawScheduler scheduler(assets);

@@ -17,18 +17,18 @@ public:
 };
 
 struct Messages : ::testing::Test {
-    Heard said(const std::string& message) { return hear(message, session, files); }
+    MessageKind said(const std::string& message) { return handle_message(message, session, files); }
     viewer::ViewRequest request() { return session.request(); }
 
     viewer::AssetCache assets{{.cache = false}};
     viewer::FileList files{{}};
-    viewer::Session session{viewer::plain_wish("plane", "furnace"), assets, std::make_shared<Nobody>()};
+    viewer::Session session{viewer::default_request("plane", "furnace"), assets, std::make_shared<Nobody>()};
 };
 
 TEST_F(Messages, DoWhatTheySay)
 {
-    EXPECT_EQ(said(R"({"do": "seen"})"), Heard::seen);
-    EXPECT_EQ(said(R"({"do": "set", "name": "exposure", "value": 2.5, "id": 3})"), Heard::input);
+    EXPECT_EQ(said(R"({"do": "seen"})"), MessageKind::seen);
+    EXPECT_EQ(said(R"({"do": "set", "name": "exposure", "value": 2.5, "id": 3})"), MessageKind::input);
     said(R"({"do": "set", "name": "tone", "value": "agx"})");
     said(R"({"do": "turn", "by": 190})");
     said(R"({"do": "lights", "list": ["point:1,2,3,4,5,6"]})");

@@ -20,7 +20,7 @@ using test::Visitor;
 
 viewer::ViewRequest small_wish()
 {
-    viewer::ViewRequest request = viewer::plain_wish("sphere", "furnace");
+    viewer::ViewRequest request = viewer::default_request("sphere", "furnace");
     viewer::set_size(request, 64, 48);
     viewer::set_value(request.asked, "samples", "8");
     return request;
@@ -102,7 +102,7 @@ TEST(Server, RefusesWithAReason)
         starts_with_status(line("POST / HTTP/1.1\r\n" + host + "Content-Length: 99999999999\r\n\r\nx"), 413));
     EXPECT_TRUE(starts_with_status(get(port, "/", "X: " + std::string(20000, 'x') + "\r\n"), 431));
     EXPECT_TRUE(starts_with_status(line("nonsense\r\n\r\n"), 400));
-    EXPECT_NE(get(port, "/nowhere").find("there is nothing of this name"), std::string::npos);
+    EXPECT_NE(get(port, "/nowhere").find("nothing is served at this path"), std::string::npos);
     const std::string upgrade = "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
                                 "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n";
     const std::string elsewhere = get(port, "/socket", upgrade + "Origin: http://evil.example\r\n");

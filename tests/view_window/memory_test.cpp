@@ -1,22 +1,22 @@
 // What the window remembers, and what it makes of a broken file.
-#include "apps/view/memory.h"
+#include "apps/view/window_settings.h"
 
 #include <gtest/gtest.h>
 
 namespace lambent::view_window {
 namespace {
 
-Memory read(const std::string& json, bool complains)
+WindowSettings read(const std::string& json, bool complains)
 {
     std::string complaint;
-    const Memory memory = read_memory(json, complaint);
+    const WindowSettings memory = read_settings(json, complaint);
     EXPECT_EQ(!complaint.empty(), complains) << json;
     return memory;
 }
 
 TEST(ViewMemory, ComesBackAsItWas)
 {
-    const Memory memory = read(write_memory({{1000, 640, {{-20, 30}}, true}, false}), false);
+    const WindowSettings memory = read(write_settings({{1000, 640, {{-20, 30}}, true}, false}), false);
     EXPECT_EQ(memory.place.width, 1000);
     EXPECT_EQ(memory.place.height, 640);
     ASSERT_TRUE(memory.place.corner);
@@ -24,15 +24,15 @@ TEST(ViewMemory, ComesBackAsItWas)
     EXPECT_EQ(memory.place.corner->y, 30);
     EXPECT_TRUE(memory.place.maximised);
     EXPECT_FALSE(memory.panel);
-    EXPECT_FALSE(read(write_memory({}), false).place.corner);
+    EXPECT_FALSE(read(write_settings({}), false).place.corner);
 }
 
 TEST(ViewMemory, WhatIsBrokenIsAsUsual)
 {
-    const Memory usual;
+    const WindowSettings usual;
     for (const char* broken : {"", "{", "[]", "null", "{}", R"({"version":2,"width":999,"height":999})",
                                R"({"version":"1"})", "\xff\xfe"}) {
-        const Memory memory = read(broken, true);
+        const WindowSettings memory = read(broken, true);
         EXPECT_EQ(memory.place.width, usual.place.width);
         EXPECT_TRUE(memory.panel);
     }
@@ -41,7 +41,7 @@ TEST(ViewMemory, WhatIsBrokenIsAsUsual)
           R"({"version":1,"width":1e99,"height":"x","panel":3})",
           R"({"version":1,"width":99999999999999999999,"height":500})",
           R"({"version":1,"x":10,"y":99999999,"maximised":"yes"})", R"({"version":1,"x":10})"}) {
-        const Memory memory = read(odd, false);
+        const WindowSettings memory = read(odd, false);
         EXPECT_EQ(memory.place.width, usual.place.width) << odd;
         EXPECT_FALSE(memory.place.corner) << odd;
         EXPECT_FALSE(memory.place.maximised) << odd;

@@ -180,17 +180,17 @@ TEST_F(Animations, WhoPlaysIsHungry)
 {
     Seat seat(scheduler, assets, request());
     seat.wait_for(ShownPicture::Kind::rest, 0);
-    EXPECT_FALSE(seat.session->is_hungry());
+    EXPECT_FALSE(seat.session->waits_for_moving_picture());
     seat.session->play(1, true);
     for (int i = 0; i < 5; ++i) {
-        EXPECT_TRUE(seat.session->is_hungry());
+        EXPECT_TRUE(seat.session->waits_for_moving_picture());
         scheduler.nudge();
         seat.wait_for(ShownPicture::Kind::moving, 1);
     }
     seat.session->play(2, false);
     scheduler.nudge();
     seat.wait_for(ShownPicture::Kind::rest, 2);
-    EXPECT_FALSE(seat.session->is_hungry());
+    EXPECT_FALSE(seat.session->waits_for_moving_picture());
 }
 
 } // namespace

@@ -212,7 +212,7 @@ TEST(DrawScheduler, WhoseSceneCannotBeLoadedHoldsNobodyUp)
     DrawScheduler scheduler(assets);
     Seat lost(scheduler, assets, small_wish("nowhere.glb")), other(scheduler, assets, small_wish("sphere"));
     other.wait_for(ShownPicture::Kind::rest, 0);
-    EXPECT_FALSE(lost.session->is_hungry());
+    EXPECT_FALSE(lost.session->waits_for_moving_picture());
 }
 
 TEST(DrawScheduler, APickedPointBecomesTheMiddle)

@@ -84,7 +84,7 @@ struct Seat {
 
 inline ViewRequest small_wish(const std::string& scene)
 {
-    ViewRequest request = plain_wish(scene, "furnace");
+    ViewRequest request = default_request(scene, "furnace");
     set_size(request, 96, 64);
     set_value(request.asked, "samples", "8");
     return request;

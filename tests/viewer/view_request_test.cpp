@@ -11,7 +11,7 @@ namespace {
 
 TEST(ViewRequest, TheCommandSaysAllThatIsNotUsual)
 {
-    ViewRequest request = plain_wish("my model.glb", "-sky.hdr");
+    ViewRequest request = default_request("my model.glb", "-sky.hdr");
     request.eye = OrbitCamera(10.0, -20.0);
     set_size(request, 640, 360);
     set_value(request.asked, "tone", "agx");
@@ -31,7 +31,7 @@ TEST(ViewRequest, AnAnimationIsCalledByWhatNamesItAlone)
 {
     using Names = std::vector<scene::AnimationInfo>;
     const auto word_of = [](const Names& names, int number) {
-        ViewRequest request = plain_wish("walker.glb", "kitchen");
+        ViewRequest request = default_request("walker.glb", "kitchen");
         animate(request, names, number);
         request.moment = 0.5;
         const cli::RenderArguments arguments = arguments_of(request);
@@ -44,7 +44,7 @@ TEST(ViewRequest, AnAnimationIsCalledByWhatNamesItAlone)
     EXPECT_EQ(word_of({{"walk", 1}, {"walk", 1}}, 1), "1");
     EXPECT_EQ(word_of({{"walk", 1}, {std::string("x\0y", 3), 1}}, 1), "1");
     EXPECT_EQ(word_of({{"", 1}, {"run", 1}}, 0), "0");
-    ViewRequest request = plain_wish("walker.glb", "kitchen");
+    ViewRequest request = default_request("walker.glb", "kitchen");
     animate(request, {{"walk", 1}}, 0);
     for (const double none : {1.0, 0.5, std::nan("")})
         EXPECT_THROW(animate(request, {{"walk", 1}}, none), Error);
@@ -55,7 +55,7 @@ TEST(ViewRequest, AnAnimationIsCalledByWhatNamesItAlone)
 
 TEST(ViewRequest, LightsAreCheckedAndCounted)
 {
-    ViewRequest request = plain_wish("grid", "kitchen");
+    ViewRequest request = default_request("grid", "kitchen");
     EXPECT_THROW(set_lights(request, {"spot:1"}), Error);
     EXPECT_THROW(set_lights(request, {"point:1,2,3,-4,5,6"}), Error);
     EXPECT_THROW(set_lights(request, std::vector<std::string>(most_lights + 1, "point:1,2,3,4,5,6")), Error);
@@ -64,7 +64,7 @@ TEST(ViewRequest, LightsAreCheckedAndCounted)
 
 TEST(ViewRequest, SizesAreCutInProportion)
 {
-    ViewRequest request = plain_wish("grid", "kitchen");
+    ViewRequest request = default_request("grid", "kitchen");
     set_size(request, 1280.0, 720.0);
     EXPECT_EQ(request.asked.settings.width, 1280);
     EXPECT_EQ(request.asked.settings.height, 720);
@@ -82,7 +82,7 @@ ViewRequest wish_of(std::vector<const char*> words)
 {
     words.insert(words.begin(), {"lambent", "view"});
     const cli::Arguments parsed = cli::parse_arguments(static_cast<int>(words.size()), words.data());
-    return first_wish(std::get<cli::ViewArguments>(parsed).start);
+    return starting_request(std::get<cli::ViewArguments>(parsed).start);
 }
 
 // What a viewer's command line says is what its first picture's command says.
@@ -136,7 +136,7 @@ TEST(ViewRequest, ArgumentsAreThoseThatItsCommandTakes)
     for (const char* scene : {"sphere", "walker.glb"})
         for (const char* model : {"ggx", "phong"})
             for (const char* ibl : {"sampled", "split-sum"}) {
-                ViewRequest request = plain_wish(scene, "-sky.hdr");
+                ViewRequest request = default_request(scene, "-sky.hdr");
                 request.eye.orbit(12.3456789, -1.23456789);
                 request.eye.dolly({}, 0.12345678);
                 request.asked.animation = "-walk";

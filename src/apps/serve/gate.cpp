@@ -7,7 +7,7 @@
 namespace lambent::serve {
 namespace {
 
-// "[::1]:8080" and "localhost:8080" without the port.
+// The host without its port: "[::1]" of "[::1]:8080"; "?" where the port is not a number.
 std::string_view name_of(std::string_view host)
 {
     const std::size_t bracket = host.rfind(']'), colon = host.rfind(':');
@@ -81,13 +81,14 @@ Refusal Gate::check(const Visitor& visitor) const
         return {403, "the header Host names another machine"};
     if (!visitor.origin.empty() && visitor.origin != text("http://", visitor.host) &&
         visitor.origin != text("https://", visitor.host))
-        return {403, "the header Origin is of another site"};
+        return {403, "the header Origin names another site"};
     constexpr std::string_view bearer = "Bearer ";
     const std::string given = visitor.authorization.starts_with(bearer)
                                   ? std::string(visitor.authorization.substr(bearer.size()))
                                   : query_value(visitor.target, "token");
     if (!token.empty() && !equal_in_constant_time(given, token))
-        return {401, given.empty() ? "a token is needed: ?token=..." : "the token is wrong"};
+        return {401,
+                given.empty() ? "a token is required: add ?token=... to the address" : "the token is wrong"};
     return {};
 }
 

@@ -1,4 +1,4 @@
-// Who may come in: nothing here knows a socket.
+// Access control for requests, independent of sockets.
 #pragma once
 
 #include <string>
@@ -6,34 +6,36 @@
 
 namespace lambent::serve {
 
-/// What a request says about where it comes from.
+/// The headers and the target of a request that access depends on.
 struct Visitor {
     std::string_view host;          ///< header Host
-    std::string_view origin;        ///< header Origin; browsers send it
+    std::string_view origin;        ///< header Origin, which browsers send
     std::string_view authorization; ///< header Authorization
     std::string_view target;        ///< path and query
 };
 
-/// Why a request is refused: a status of HTTP and a line for people; 0: it is not.
+/// Why a request is refused.
 struct Refusal {
-    unsigned status = 0;
-    std::string reason;
+    unsigned status = 0; ///< of HTTP; 0: the request is allowed
+    std::string reason;  ///< one line for the user
 };
 
+/// The rules of one server.
 struct Gate {
-    std::string address; ///< that is listened at, without port
-    bool loopback = true;
-    std::string token; ///< empty: none is needed
+    std::string address;  ///< that the server listens at, without port
+    bool loopback = true; ///< whether only this machine can reach the address
+    std::string token;    ///< empty: no token is needed
 
-    /// A page of another site must not reach the server through somebody's browser: the Host must be a name of this
-    /// machine where only this machine listens, and the Origin, if any, must be the Host's.
+    /// Keeps pages of other sites from reaching the server through a user's browser: on a loopback address the Host
+    /// must be a name of this machine (against DNS rebinding), and the Origin, if any, must match the Host. Then checks
+    /// the token.
     Refusal check(const Visitor& visitor) const;
 };
 
-/// Whether two texts are equal, in a time that only depends on the length of `given`.
+/// Whether two texts are equal, in a time that depends on the length of `given` only.
 bool equal_in_constant_time(std::string_view given, std::string_view secret);
 
-/// The value of a name in the query of a target, percent-decoded; empty if it is not there.
+/// The percent-decoded value of a name in the query of a target; empty if the name is missing.
 std::string query_value(std::string_view target, std::string_view name);
 
 /// The target without its query.

@@ -1,19 +1,19 @@
-// How good a way to a viewer is, by how long it takes until frames are seen.
+// The JPEG quality for a viewer, chosen by how long its frames take to be seen.
 #pragma once
 
 #include <algorithm>
 
 namespace lambent::serve {
 
-/// Chooses how well pictures that move are kept: on a slow way they get smaller before they get fewer.
+/// Adapts the JPEG quality of moving views: on a slow connection frames become smaller before they become fewer.
 class Link {
 public:
     static constexpr int worst = 30, best = 85;
 
-    /// Of the next JPEG.
+    /// The quality for the next JPEG.
     int quality() const { return quality_; }
 
-    /// A frame was seen so long after it was sent.
+    /// Reports how long after sending a frame was seen.
     void seen(double milliseconds)
     {
         constexpr double late = 120.0, early = 60.0;

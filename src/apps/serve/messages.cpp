@@ -15,7 +15,7 @@ using nlohmann::json;
 using viewer::OrbitCamera;
 using viewer::ViewRequest;
 
-struct Said {
+struct MessageReader {
     const json& message;
     viewer::Session& session;
     const viewer::FileList& files;
@@ -45,7 +45,7 @@ struct Said {
         return found->get<bool>();
     }
 
-    // A value for the table: pages may send numbers as numbers.
+    // The value of a parameter, which may be a number or text.
     std::string value() const
     {
         const auto found = message.find("value");
@@ -70,70 +70,88 @@ struct Said {
     void change(const viewer::Session::Change& change) const { session.change(id, change); }
 };
 
-using Action = std::function<void(const Said&)>;
+using Action = std::function<void(const MessageReader&)>;
+using Actions = std::map<std::string, Action, std::less<>>;
+using World = OrbitCamera::World;
 
-const std::map<std::string, Action, std::less<>>& actions()
+// The messages that change the request.
+Actions request_changes()
 {
-    using World = OrbitCamera::World;
-    static const std::map<std::string, Action, std::less<>> actions = {
+    return {
         {"orbit",
-         [](const Said& s) {
+         [](const MessageReader& s) {
              const double x = s.number("x"), y = s.number("y");
              s.change([&](ViewRequest& request, const World&) { request.eye.orbit(x, y); });
          }},
         {"pan",
-         [](const Said& s) {
+         [](const MessageReader& s) {
              const double x = s.number("x"), y = s.number("y");
              s.change([&](ViewRequest& request, const World& world) {
                  request.eye.pan(world, x, y, viewer::number_in(request.asked, "fov"));
              });
          }},
         {"dolly",
-         [](const Said& s) {
+         [](const MessageReader& s) {
              const double by = s.number("by");
              s.change([&](ViewRequest& request, const World& world) { request.eye.dolly(world, by); });
          }},
         {"turn",
-         [](const Said& s) {
+         [](const MessageReader& s) {
              const double by = s.number("by");
              s.change([&](ViewRequest& request, const World&) { viewer::turn_environment(request, by); });
          }},
         {"set",
-         [](const Said& s) {
+         [](const MessageReader& s) {
              const std::string name = s.word("name"), value = s.value();
              s.change(
                  [&](ViewRequest& request, const World&) { viewer::set_value(request.asked, name, value); });
          }},
         {"lights",
-         [](const Said& s) {
+         [](const MessageReader& s) {
              const std::vector<std::string> list = s.words("list");
              s.change([&](ViewRequest& request, const World&) { viewer::set_lights(request, list); });
          }},
         {"size",
-         [](const Said& s) {
+         [](const MessageReader& s) {
              const double width = s.number("width"), height = s.number("height");
              s.change([&](ViewRequest& request, const World&) { viewer::set_size(request, width, height); });
          }},
-        {"animate", [](const Said& s) { s.session.animate(s.id, s.number("number")); }},
-        {"moment", [](const Said& s) { s.session.seek(s.id, s.number("seconds")); }},
-        {"play", [](const Said& s) { s.session.play(s.id, s.yes("on")); }},
-        {"focus", [](const Said& s) { s.session.focus(s.number("x"), s.number("y"), s.id); }},
-        {"reset", [](const Said& s) { s.session.reset(s.id); }},
-        {"save", [](const Said& s) { s.session.save(s.word("kind")); }},
+    };
+}
+
+// The messages that the session carries out itself.
+Actions session_calls()
+{
+    return {
+        {"animate", [](const MessageReader& s) { s.session.animate(s.id, s.number("number")); }},
+        {"moment", [](const MessageReader& s) { s.session.seek(s.id, s.number("seconds")); }},
+        {"play", [](const MessageReader& s) { s.session.play(s.id, s.yes("on")); }},
+        {"focus", [](const MessageReader& s) { s.session.focus(s.number("x"), s.number("y"), s.id); }},
+        {"reset", [](const MessageReader& s) { s.session.reset(s.id); }},
+        {"save", [](const MessageReader& s) { s.session.save(s.word("kind")); }},
         {"scene",
-         [](const Said& s) {
+         [](const MessageReader& s) {
              const std::string name = s.word("name");
              s.files.check_scene(name);
              s.session.open_scene(name, s.id);
          }},
         {"environment",
-         [](const Said& s) {
+         [](const MessageReader& s) {
              const std::string name = s.word("name");
              s.files.check_environment(name);
              s.session.open_environment(name, s.id);
          }},
     };
-    return actions;
+}
+
+const Actions& actions()
+{
+    static const Actions all = [] {
+        Actions both = request_changes();
+        both.merge(session_calls());
+        return both;
+    }();
+    return all;
 }
 
 std::string dumped(const nlohmann::ordered_json& message)
@@ -143,7 +161,7 @@ std::string dumped(const nlohmann::ordered_json& message)
 
 } // namespace
 
-Heard hear(std::string_view message, viewer::Session& session, const viewer::FileList& files)
+MessageKind handle_message(std::string_view message, viewer::Session& session, const viewer::FileList& files)
 {
     const json parsed = json::parse(message, nullptr, false);
     if (!parsed.is_object())
@@ -154,15 +172,15 @@ Heard hear(std::string_view message, viewer::Session& session, const viewer::Fil
     const std::string& name = what->get_ref<const std::string&>();
     if (name == "seen") {
         session.seen();
-        return Heard::seen;
+        return MessageKind::seen;
     }
     const auto action = actions().find(name);
     if (action == actions().end())
-        throw Malformed("'do' says nothing that is known");
+        throw Malformed("'do' names no known action");
     const auto id = parsed.find("id");
     action->second({parsed, session, files,
                     id != parsed.end() && id->is_number_unsigned() ? id->get<std::uint64_t>() : 0});
-    return Heard::input;
+    return MessageKind::input;
 }
 
 std::string hello(const viewer::FileList& files)

@@ -1,4 +1,4 @@
-// What browsers say and are told, as text.
+// The messages between server and browser, as text.
 #pragma once
 
 #include "apps/viewer/file_list.h"
@@ -9,29 +9,29 @@
 
 namespace lambent::serve {
 
-/// What a message was, beyond what it did to the session.
-enum class Heard {
-    input, ///< something to draw, perhaps
+/// The kind of a message.
+enum class MessageKind {
+    input, ///< an input, which may change the picture
     seen,  ///< a frame was seen
 };
 
-/// A message that no page of ours would send: whoever sends it is not listened to any longer.
+/// Thrown for a message that the page never sends; the connection is then closed.
 class Malformed : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;
 };
 
-/// Does what a message says: a JSON object with "do" and what that needs; docs/VIEWER.md lists them. Throws Malformed for
-/// what is no such object, Error(usage) for values that are refused.
-Heard hear(std::string_view message, viewer::Session& session, const viewer::FileList& files);
+/// Carries out a message: a JSON object with "do" and its parameters, as listed in docs/VIEWER.md. Throws Malformed for
+/// anything else, and Error(usage) for values that are refused.
+MessageKind handle_message(std::string_view message, viewer::Session& session, const viewer::FileList& files);
 
-/// What a page needs at first: the parameters and the names that may be opened.
+/// The first message to a page: the parameters, and the names of scenes and environments that may be opened.
 std::string hello(const viewer::FileList& files);
 
-/// {"type": "error", "line": ...}
+/// {"type": "error", "line": ...}: shown by the page.
 std::string error_message(const std::string& line);
 
-/// A frame: the length of a JSON object in four bytes, little end first, the object, the picture.
+/// A picture with its header: the length of a JSON object in four bytes, little-endian, the object, the picture.
 std::vector<std::uint8_t> frame_message(const std::string& header, std::span<const std::uint8_t> picture);
 
 } // namespace lambent::serve

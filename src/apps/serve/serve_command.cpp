@@ -14,7 +14,7 @@ void run(const ServeArguments& arguments)
 {
     if (!serve::is_loopback(arguments.host) && arguments.token.empty())
         throw Error(Failure::usage,
-                    text("--host ", arguments.host, ": others could come in: --token is needed"));
+                    text("--host ", arguments.host, ": other machines could connect: --token is required"));
     const RenderArguments& picture = arguments.start.picture;
     const ThreadLimit limit(picture.common.threads);
     const Console console(picture.common.verbosity);

@@ -5,7 +5,7 @@
 
 namespace lambent::cli {
 
-/// Throws Error.
+/// Serves until interrupted. Throws Error.
 void run(const ServeArguments& arguments);
 
 } // namespace lambent::cli

@@ -1,6 +1,6 @@
 #include "apps/serve/server.h"
 
-#include "apps/serve/http_visit.h"
+#include "apps/serve/http_connection.h"
 #include "base/error.h"
 #include "base/text.h"
 
@@ -27,11 +27,11 @@ asio::ip::address address_of(const std::string& host)
     asio::ip::address address = asio::ip::make_address(host, error);
     if (error)
         throw Error(Failure::usage,
-                    text("--host: '", one_line(host), "' is no address, such as 127.0.0.1 or ::"));
+                    text("--host: '", one_line(host), "' is not a numeric address such as 127.0.0.1 or ::"));
     return address;
 }
 
-// The token may be any text; in an address it is percent-encoded.
+// Percent-encodes the token, which may be any text, for a URL.
 std::string encoded(const std::string& word)
 {
     constexpr std::string_view digits = "0123456789ABCDEF";
@@ -56,28 +56,29 @@ class Server::Impl {
 public:
     Impl(ServerOptions options, viewer::ViewRequest start, viewer::FileList files, viewer::AssetCache& assets,
          viewer::DrawScheduler& scheduler)
-        : house_(new House{std::move(options), std::move(start), std::move(files), assets, scheduler, {}}),
+        : state_(
+              new ServerState{std::move(options), std::move(start), std::move(files), assets, scheduler, {}}),
           acceptor_(context_), pause_(context_)
     {
-        const asio::ip::address address = address_of(house_->options.host);
-        const tcp::endpoint endpoint(address, house_->options.port);
-        house_->gate = {address.to_string(), address.is_loopback(), house_->options.token};
+        const asio::ip::address address = address_of(state_->options.host);
+        const tcp::endpoint endpoint(address, state_->options.port);
+        state_->gate = {address.to_string(), address.is_loopback(), state_->options.token};
         try {
             acceptor_.open(endpoint.protocol());
             acceptor_.set_option(asio::socket_base::reuse_address(true));
             acceptor_.bind(endpoint);
             acceptor_.listen(asio::socket_base::max_listen_connections);
         } catch (const boost::system::system_error& error) {
-            throw Error(Failure::no_device, text("cannot listen at ", house_->options.host, " port ",
-                                                 house_->options.port, ": ", error.code().message()));
+            throw Error(Failure::no_device, text("cannot listen at ", state_->options.host, " port ",
+                                                 state_->options.port, ": ", error.code().message()));
         }
         accept();
     }
 
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
-    // What the scheduler shows is handed over through the context, which goes now.
-    ~Impl() { house_->scheduler.stop(); }
+    // The scheduler must stop first, as presenters post to context_.
+    ~Impl() { state_->scheduler.stop(); }
 
     std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
 
@@ -85,7 +86,7 @@ public:
     {
         const asio::ip::address address = acceptor_.local_endpoint().address();
         const std::string name = address.is_v6() ? text("[", address.to_string(), "]") : address.to_string();
-        const std::string& token = house_->options.token;
+        const std::string& token = state_->options.token;
         return text("http://", name, ":", port(), "/", token.empty() ? "" : text("?token=", encoded(token)));
     }
 
@@ -102,25 +103,25 @@ public:
         });
     }
 
-    int sessions() const { return house_->sessions; }
+    int sessions() const { return state_->sessions; }
 
 private:
     void accept()
     {
         acceptor_.async_accept([this](boost::system::error_code error, tcp::socket socket) {
             if (!error) {
-                visit(house_, std::move(socket));
+                serve_connection(state_, std::move(socket));
                 return accept();
             }
             if (error == asio::error::operation_aborted)
                 return;
-            // No file descriptors are left, perhaps: it passes.
+            // Most likely there are no free file descriptors: accepting is tried again later.
             pause_.expires_after(std::chrono::milliseconds(50));
             pause_.async_wait([this](boost::system::error_code) { accept(); });
         });
     }
 
-    std::shared_ptr<House> house_;
+    std::shared_ptr<ServerState> state_;
     asio::io_context context_{1};
     tcp::acceptor acceptor_;
     asio::steady_timer pause_;

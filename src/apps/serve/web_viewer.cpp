@@ -25,12 +25,12 @@ using viewer::ShownPicture;
 
 class WebViewer;
 
-// Called by the scheduler: encodes there and hands over to the serving thread.
+// Encodes on the drawing thread, which calls it, and posts the bytes to the serving thread.
 class WebPresenter : public viewer::Presenter {
 public:
     explicit WebPresenter(asio::any_io_executor executor) : executor_(std::move(executor)) {}
 
-    /// Before the session begins, by the serving thread.
+    /// Called once by the serving thread, before the session is drawn.
     void set_viewer(std::weak_ptr<WebViewer> viewer) { viewer_ = std::move(viewer); }
 
     void show(ShownPicture picture) override;
@@ -53,8 +53,8 @@ struct Outgoing {
 
 class WebViewer : public std::enable_shared_from_this<WebViewer> {
 public:
-    WebViewer(std::shared_ptr<House> house, beast::tcp_stream stream, Seat<int> connection)
-        : house_(std::move(house)), connection_(std::move(connection)), seat_(house_->sessions),
+    WebViewer(std::shared_ptr<ServerState> server, beast::tcp_stream stream, Counted<int> connection)
+        : server_(std::move(server)), connection_(std::move(connection)), seat_(server_->sessions),
           socket_(std::move(stream)), presenter_(std::make_shared<WebPresenter>(socket_.get_executor()))
     {
     }
@@ -62,12 +62,12 @@ public:
     ~WebViewer()
     {
         if (session_)
-            house_->scheduler.remove(session_);
+            server_->scheduler.remove(session_);
     }
 
     void start(UpgradeRequest request)
     {
-        const Limits& limits = house_->options.limits;
+        const Limits& limits = server_->options.limits;
         beast::get_lowest_layer(socket_).expires_never();
         beast::get_lowest_layer(socket_).socket().set_option(asio::ip::tcp::no_delay(true));
         socket_.set_option(websocket::stream_base::timeout{std::chrono::seconds(limits.request_seconds),
@@ -87,7 +87,7 @@ public:
             return;
         backlog_ += message.bytes.size();
         outgoing_.push_back(std::move(message));
-        if (backlog_ > house_->options.limits.backlog_bytes)
+        if (backlog_ > server_->options.limits.backlog_bytes)
             return hang_up();
         if (outgoing_.size() == 1)
             write();
@@ -97,9 +97,9 @@ private:
     void begin()
     {
         presenter_->set_viewer(weak_from_this());
-        session_ = std::make_shared<viewer::Session>(house_->start, house_->assets, presenter_);
-        send_text(hello(house_->files));
-        house_->scheduler.add(session_);
+        session_ = std::make_shared<viewer::Session>(server_->start, server_->assets, presenter_);
+        send_text(hello(server_->files));
+        server_->scheduler.add(session_);
         read();
     }
 
@@ -112,14 +112,14 @@ private:
             if (!error)
                 self->got();
             else
-                self->hang_up(); // also too large: the stream has said so in its closing frame
+                self->hang_up(); // also for too large messages, for which the stream has sent a close frame
         });
     }
 
     void got()
     {
         if (ending_)
-            return read(); // until the other side closes, too
+            return read(); // discarded until the client closes as well
         if (!socket_.got_text())
             return close(websocket::close_code::unknown_data, "messages must be text");
         if (is_flood())
@@ -127,9 +127,9 @@ private:
         try {
             const auto bytes = buffer_.data();
             const std::string_view message(static_cast<const char*>(bytes.data()), bytes.size());
-            if (hear(message, *session_, house_->files) == Heard::seen)
+            if (handle_message(message, *session_, server_->files) == MessageKind::seen)
                 note_seen();
-            house_->scheduler.nudge();
+            server_->scheduler.nudge();
         } catch (const Malformed& malformed) {
             return close(websocket::close_code::bad_payload, malformed.what());
         } catch (const Error& error) {
@@ -145,7 +145,7 @@ private:
             second_ = now;
             heard_ = 0;
         }
-        return ++heard_ > house_->options.limits.messages_per_second;
+        return ++heard_ > server_->options.limits.messages_per_second;
     }
 
     void note_seen()
@@ -184,7 +184,7 @@ private:
     {
         ending_ = true;
         session_->close();
-        // A closing frame holds at most 123 bytes of reason.
+        // A close frame has at most 123 bytes for the reason.
         socket_.async_close(websocket::close_reason(code, reason.substr(0, 120)),
                             [self = shared_from_this()](beast::error_code) {});
     }
@@ -196,9 +196,9 @@ private:
         beast::close_socket(beast::get_lowest_layer(socket_));
     }
 
-    std::shared_ptr<House> house_;
-    Seat<int> connection_;
-    Seat<std::atomic<int>> seat_;
+    std::shared_ptr<ServerState> server_;
+    Counted<int> connection_;
+    Counted<std::atomic<int>> seat_;
     websocket::stream<beast::tcp_stream, false> socket_;
     std::shared_ptr<WebPresenter> presenter_;
     std::shared_ptr<viewer::Session> session_;
@@ -206,7 +206,7 @@ private:
     beast::flat_buffer buffer_;
     std::deque<Outgoing> outgoing_;
     std::size_t backlog_ = 0;
-    std::deque<Clock::time_point> sent_; ///< frames not yet seen
+    std::deque<Clock::time_point> sent_; ///< when the frames were sent that are not yet seen
     Link link_;
     Clock::time_point second_{};
     int heard_ = 0;
@@ -225,7 +225,7 @@ void WebPresenter::hand_over(std::vector<std::uint8_t> bytes, bool is_text, bool
 void WebPresenter::show(ShownPicture picture)
 {
     using Kind = ShownPicture::Kind;
-    // What will soon be replaced need not be without loss.
+    // Moving views and unfinished traces will soon be replaced: they are sent as JPEG, all others without loss.
     const bool lossy = picture.kind == Kind::moving || (picture.kind == Kind::traced && !picture.is_last);
     nlohmann::ordered_json header = {{"type", "frame"},
                                      {"kind", viewer::name_of(picture.kind)},
@@ -264,10 +264,10 @@ void WebPresenter::save(viewer::Saved saved)
 
 } // namespace
 
-void start_viewer(std::shared_ptr<House> house, beast::tcp_stream stream, UpgradeRequest request,
-                  Seat<int> connection)
+void start_viewer(std::shared_ptr<ServerState> server, beast::tcp_stream stream, UpgradeRequest request,
+                  Counted<int> connection)
 {
-    std::make_shared<WebViewer>(std::move(house), std::move(stream), std::move(connection))
+    std::make_shared<WebViewer>(std::move(server), std::move(stream), std::move(connection))
         ->start(std::move(request));
 }
 

@@ -1,7 +1,7 @@
 // One browser: a session and its WebSocket.
 #pragma once
 
-#include "apps/serve/house.h"
+#include "apps/serve/server_state.h"
 
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/beast/http/empty_body.hpp>
@@ -11,8 +11,8 @@ namespace lambent::serve {
 
 using UpgradeRequest = boost::beast::http::request<boost::beast::http::empty_body>;
 
-/// Accepts the request and serves until either side ends it.
-void start_viewer(std::shared_ptr<House> house, boost::beast::tcp_stream stream, UpgradeRequest request,
-                  Seat<int> connection);
+/// Accepts the upgrade and serves the viewer until either side closes the connection.
+void start_viewer(std::shared_ptr<ServerState> server, boost::beast::tcp_stream stream,
+                  UpgradeRequest request, Counted<int> connection);
 
 } // namespace lambent::serve

@@ -1,12 +1,12 @@
-// Controls for a scene that moves.
+// Controls for the animations of a scene.
 #pragma once
 
 #include "apps/viewer/session.h"
 
 namespace lambent::view_window {
 
-/// Which animation, a button that lets it go on or stops it, its moment; nothing where the scene has none. What is moved is
-/// set at once. Throws Error(usage).
+/// Shows a list of the animations, a slider for the time and a button to play or pause; nothing for a scene without
+/// animations. Changes are applied to the session at once. Throws Error(usage).
 void show_animation(viewer::Session& session);
 
 } // namespace lambent::view_window

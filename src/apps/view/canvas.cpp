@@ -38,7 +38,7 @@ void Canvas::draw() const
     if (!filled_)
         return;
     const ImVec2 size = ImGui::GetIO().DisplaySize;
-    // Without its alpha: what is behind the picture is nothing.
+    // Transparent pixels of the picture show this grey.
     ImDrawList* const list = ImGui::GetBackgroundDrawList();
     list->AddRectFilled({0, 0}, size, IM_COL32(26, 26, 26, 255));
     list->AddImage(std::bit_cast<ImTextureID>(static_cast<std::uintptr_t>(texture_)), {0, 0}, size);

@@ -1,11 +1,11 @@
-// The picture as a texture behind all controls.
+// The picture, drawn as a texture behind all controls.
 #pragma once
 
 #include "image/image.h"
 
 namespace lambent::view_window {
 
-/// Lives in the window's OpenGL context.
+/// Needs the window's OpenGL context to be current, in the destructor as well.
 class Canvas {
 public:
     Canvas();
@@ -13,10 +13,10 @@ public:
     Canvas(const Canvas&) = delete;
     Canvas& operator=(const Canvas&) = delete;
 
-    /// 8-bit codes.
+    /// Takes a picture with 8-bit codes and 3 or 4 channels.
     void set(const image::CodeImage& picture);
 
-    /// Fills the window; smooth where the picture has fewer pixels.
+    /// Fills the window with the picture, which is filtered where it has fewer pixels.
     void draw() const;
 
 private:

@@ -14,7 +14,7 @@ namespace {
 
 using viewer::OrbitCamera, viewer::Parameter, viewer::Session, viewer::ViewRequest;
 
-// A value that a control was moved to.
+// The new value of a control; unset: it was not changed.
 using Moved = std::optional<std::string>;
 
 Moved number(const cli::Control& row, const std::string& label, const std::string& word)
@@ -51,7 +51,7 @@ Moved choice(const Parameter& row, const std::string& label, const std::string& 
     return moved;
 }
 
-// Words are linear, the picker is not.
+// The word has linear values, the colour picker sRGB.
 Moved color(const std::string& label, const std::string& word)
 {
     std::array<double, 3> linear = {0.2, 0.2, 0.2};
@@ -67,7 +67,7 @@ Moved color(const std::string& label, const std::string& word)
                 viewer::number_word(linear[2]));
 }
 
-// Takes a value away from a row that need not have one.
+// Shows a button that unsets an optional parameter.
 Moved unset(const Parameter& row, const std::string& word)
 {
     if (!row.option.usual.empty() || word.empty())

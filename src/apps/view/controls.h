@@ -1,4 +1,4 @@
-// Controls for the viewer's table of parameters.
+// Controls for the parameters of the viewer.
 #pragma once
 
 #include "apps/viewer/parameters.h"
@@ -6,7 +6,8 @@
 
 namespace lambent::view_window {
 
-/// A control for each row of the table, under the names of its groups. What is moved is set at once; a right click sets the default. Throws Error(usage) where a value is refused.
+/// Shows a control for each parameter, under the headings of their groups. Changes are applied to the session at once;
+/// a right click sets the default. Throws Error(usage) where a value is refused.
 void show_controls(viewer::Session& session, const cli::RenderArguments& asked);
 
 } // namespace lambent::view_window

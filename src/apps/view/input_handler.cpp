@@ -13,7 +13,7 @@ namespace {
 using viewer::OrbitCamera, viewer::Session, viewer::ViewRequest;
 using Key = Window::Key;
 
-// A drag over the window's height.
+// Degrees for a drag over the height of the window.
 constexpr double degrees_across = 180.0;
 constexpr double key_degrees = 5.0, key_dolly = 0.1, key_pan = 0.05, wheel_dolly = 0.12, key_exposure = 1.25;
 
@@ -80,37 +80,37 @@ void by_e(Session& session, const Key& key, Asked&)
 }
 
 const std::array table = {
-    Shortcut{"drag", "turn around what is in the middle", "", {}},
-    Shortcut{"right drag", "shift the view (or Ctrl and drag)", "", {}},
-    Shortcut{"Shift, drag", "turn the light around", "", {}},
-    Shortcut{"wheel", "nearer and farther", "", {}},
-    Shortcut{"double click", "what is there becomes the middle", "", {}},
+    Shortcut{"drag", "turn the view around the middle", "", {}},
+    Shortcut{"right drag", "pan the view (or Ctrl and drag)", "", {}},
+    Shortcut{"Shift, drag", "rotate the environment", "", {}},
+    Shortcut{"wheel", "move closer or farther away", "", {}},
+    Shortcut{"double click", "orbit around the point", "", {}},
     Shortcut{"arrows",
-             "turn; with Shift shift the view",
+             "turn the view; with Shift pan it",
              "",
              {GLFW_KEY_LEFT, GLFW_KEY_RIGHT, GLFW_KEY_UP, GLFW_KEY_DOWN},
              false,
              true,
              by_arrow},
-    Shortcut{"+ -", "nearer, farther", "+=-", {}, false, true, by_plus},
-    Shortcut{"[ ]", "turn the light around", "[]", {}, false, true, by_bracket},
+    Shortcut{"+ -", "move closer, farther away", "+=-", {}, false, true, by_plus},
+    Shortcut{"[ ]", "rotate the environment", "[]", {}, false, true, by_bracket},
     Shortcut{"E, Shift E", "brighter, darker", "e", {}, false, true, by_e},
     Shortcut{"F",
-             "look at what is in the middle",
+             "orbit around the point in the middle",
              "f",
              {},
              false,
              false,
              [](Session& session, const Key&, Asked&) { session.focus(0.5, 0.5); }},
     Shortcut{"Space",
-             "play the animation, or stop it",
+             "play or stop the animation",
              " ",
              {},
              false,
              false,
              [](Session& session, const Key&, Asked&) { session.play(0, !session.playing().on); }},
     Shortcut{"R",
-             "everything as at the start",
+             "reset everything",
              "r",
              {},
              false,
@@ -124,7 +124,7 @@ const std::array table = {
              false,
              [](Session&, const Key&, Asked& asked) { asked.save = true; }},
     Shortcut{"C",
-             "copy the command that draws it",
+             "copy the command that draws the picture",
              "c",
              {},
              false,
@@ -145,14 +145,14 @@ const std::array table = {
              false,
              [](Session&, const Key&, Asked& asked) { asked.help ^= true; }},
     Shortcut{"Escape",
-             "leave the list, or the panel",
+             "close this list, or leave the panel",
              "",
              {GLFW_KEY_ESCAPE},
              false,
              false,
              [](Session&, const Key&, Asked& asked) { asked.leave = true; }},
     Shortcut{"Ctrl Q",
-             "close",
+             "close the window",
              "q",
              {},
              true,
@@ -168,7 +168,7 @@ bool is_for(const Shortcut& shortcut, const Key& key)
     return shortcut.act && named && shortcut.control == key.control && (shortcut.repeats || !key.repeated);
 }
 
-// While a control of the panel is chosen by keys, arrows move there.
+// Whether Dear ImGui uses the key: text input, and arrows while a control of the panel has the keyboard focus.
 bool is_for_controls(const Key& key)
 {
     const ImGuiIO& io = ImGui::GetIO();

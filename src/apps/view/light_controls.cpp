@@ -20,7 +20,7 @@ bool angle(const char* label, double& degrees, double most)
                                std::array{most}.data(), "%.1f", ImGuiSliderFlags_AlwaysClamp);
 }
 
-// Faster far away, as nobody knows how large the scene is.
+// The speed of dragging grows with the distance from the origin, as the size of the scene is unknown here.
 bool place(std::array<double, 3>& metres)
 {
     const double far_out = std::max({std::abs(metres[0]), std::abs(metres[1]), std::abs(metres[2]), 0.1});

@@ -1,4 +1,4 @@
-// Controls for suns and lamps.
+// Controls for lights: suns (directional) and lamps (point lights).
 #pragma once
 
 #include "apps/viewer/light_words.h"
@@ -9,10 +9,12 @@
 
 namespace lambent::view_window {
 
-/// Keeps what controls show while words say less: the colour of a light that is off, and its brightness.
+/// Keeps the fields that words of --light do not have: the colour of a light that is off, and the brightness of
+/// colours.
 class LightControls {
 public:
-    /// A group for each light and buttons for more. What is moved is set at once. Throws Error(usage).
+    /// Shows a group of controls for each light and buttons to add more. Changes are applied to the session at once.
+    /// Throws Error(usage).
     void show(viewer::Session& session, const std::vector<std::string>& words);
 
 private:

@@ -1,4 +1,4 @@
-// The window of `lambent view`, which starts this program and passes its words on.
+// The program of the window: `lambent view` starts it with its own arguments.
 #include "apps/options/arguments.h"
 #include "apps/common/program.h"
 #include "apps/view/view_window.h"
@@ -14,7 +14,7 @@ int main(int count, char** words)
         const cli::Arguments arguments = cli::parse_arguments(count, words);
         const auto* const view = std::get_if<cli::ViewArguments>(&arguments);
         if (!view)
-            throw Error(Failure::usage, "this is the window of lambent view: start that");
+            throw Error(Failure::usage, "this program is started by lambent view: use that");
         view_window::run(*view);
     });
 }

@@ -13,7 +13,7 @@
 namespace lambent::view_window {
 namespace {
 
-// Folders would push the names out of sight.
+// The name without its folders, which do not fit into the panel.
 std::string short_name(const std::string& name)
 {
     return std::filesystem::path(name).filename().string();
@@ -32,7 +32,7 @@ bool is_short_clear(const std::vector<std::string>& names, const std::string& na
            }) == 1;
 }
 
-// Names may hold what Dear ImGui reads as marks: only their numbers are labels.
+// Indices are the labels for Dear ImGui, as names may contain "##", which it interprets.
 std::string choose(const std::vector<std::string>& names, const std::string& now)
 {
     std::string chosen;
@@ -54,7 +54,7 @@ std::string choose(const std::vector<std::string>& names, const std::string& now
 Opening opening_of(const std::string& name)
 {
     if (scene::is_builtin(name))
-        return {name, false}; // "furnace" is both
+        return {name, false}; // "furnace" is also an environment
     std::string extension = std::filesystem::path(name).extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

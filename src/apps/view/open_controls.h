@@ -1,4 +1,4 @@
-// Controls that open models and environments.
+// Controls to open models and environments.
 #pragma once
 
 #include "apps/viewer/file_list.h"
@@ -12,18 +12,18 @@
 
 namespace lambent::view_window {
 
-/// Something to be opened.
+/// A model or an environment to open.
 struct Opening {
     std::string name;
     bool is_environment = false;
 };
 
-/// What there is to open, looked for each time a list is unfolded, and the name that is being typed.
+/// Lists of files, searched for each time a list is unfolded, and a text field for a path.
 class OpenControls {
 public:
     explicit OpenControls(viewer::FileList files) : files_(std::move(files)) {}
 
-    /// What was chosen or typed, if anything.
+    /// Shows the controls. Returns the name that was chosen or entered, if any.
     std::optional<Opening> show(const viewer::ViewRequest& request);
 
 private:
@@ -32,10 +32,10 @@ private:
     std::array<char, 4096> typed_{};
 };
 
-/// By its ending, or as a built-in one, an environment; everything else is a model.
+/// An environment if the name is that of a built-in one, "none", or ends in .hdr or .exr; otherwise a model.
 Opening opening_of(const std::string& name);
 
-/// A name as typed: without spaces around it, "~/" as the user's folder.
+/// The name in a text as typed: spaces around it are removed, and "~/" is replaced by the home folder.
 std::string as_typed(const std::string& words);
 
 } // namespace lambent::view_window

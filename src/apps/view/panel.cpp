@@ -16,7 +16,7 @@
 namespace lambent::view_window {
 namespace {
 
-// Nothing takes the keys from the picture unless it is clicked.
+// No window takes the keyboard focus until it is clicked.
 constexpr ImGuiWindowFlags quiet = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
                                    ImGuiWindowFlags_NoFocusOnAppearing;
@@ -100,7 +100,7 @@ void show_line(const Shown& shown, Pressed& pressed)
             ImGui::SameLine(), ImGui::TextColored(blue, "saving");
         pressed.copy |= ImGui::Button("Copy (C)");
         ImGui::SameLine();
-        // Read only, but it can be selected and moved through.
+        // A text field, so that the command can be scrolled and selected.
         std::string command = shown.command;
         ImGui::SetNextItemWidth(-1.0f);
         ImGui::InputText("##command", command.data(), command.size() + 1, ImGuiInputTextFlags_ReadOnly);
@@ -110,7 +110,8 @@ void show_line(const Shown& shown, Pressed& pressed)
 
 void show_messages(const Shown& shown, float width)
 {
-    const std::string ending = shown.ending ? "The picture is being saved: then this window closes." : "";
+    const std::string ending =
+        shown.ending ? "The picture is being saved; this window closes afterwards." : "";
     if (shown.error.empty() && shown.refusal.empty() && shown.notice.empty() && ending.empty())
         return;
     const ImVec2 size = ImGui::GetIO().DisplaySize;
@@ -139,10 +140,9 @@ void show_help(bool& open)
                                    shortcut.meaning.data() + shortcut.meaning.size());
         }
         ImGui::Separator();
-        ImGui::TextUnformatted(
-            "A model (.gltf, .glb) or a panorama (.hdr, .exr)\nthat is dropped here is opened.\n"
-            "A right click on a control: its default.\n"
-            "Ctrl and a click on a slider: a number to type.");
+        ImGui::TextUnformatted("Drop a model (.gltf, .glb) or a panorama (.hdr, .exr)\nhere to open it.\n"
+                               "Right-click a control to set its default.\n"
+                               "Ctrl-click a slider to type a number.");
     }
     ImGui::End();
 }
@@ -176,7 +176,8 @@ Pressed Panels::show_panel(viewer::Session& session, const Shown& shown)
     return pressed;
 }
 
-// Where a window comes or goes, Dear ImGui gives the keys to one that is left, one or two frames later. Nobody clicked there.
+// When a window appears or closes, Dear ImGui gives the keyboard focus to another window one or two frames later,
+// although it was not clicked. This takes the focus away for some frames.
 void Panels::release_keys()
 {
     constexpr int frames = 4;

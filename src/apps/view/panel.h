@@ -1,4 +1,4 @@
-// What stands over the picture: the panel of controls, the line below, what there is to say, and the help.
+// The windows over the picture: the panel of controls, the status line, messages and the help.
 #pragma once
 
 #include "apps/view/light_controls.h"
@@ -11,38 +11,38 @@
 
 namespace lambent::view_window {
 
-/// What is shown at the moment.
+/// What the status line and the messages show.
 struct Shown {
     viewer::ShownPicture::Kind kind = viewer::ShownPicture::Kind::moving;
-    int width = 0, height = 0; ///< of the picture's own pixels
+    int width = 0, height = 0; ///< of the picture as drawn, in pixels
     double scale = 1.0, draw_ms = 0.0;
-    double rate = 0.0; ///< pictures a second while something moves; 0: not known
-    std::optional<viewer::ShownPicture::Traced> traced; ///< of the reference, if that is shown
-    bool is_last = false;                               ///< nothing better follows
+    double rate = 0.0;                                  ///< pictures per second of a moving view; 0: unknown
+    std::optional<viewer::ShownPicture::Traced> traced; ///< set while the reference or its error is shown
+    bool is_last = false;                               ///< no better picture follows
     bool loading = true;
-    bool saving = false, ending = false; ///< ending: the window closes when what is saved is
+    bool saving = false, ending = false; ///< ending: the window closes once pictures are saved
     std::vector<std::string> warnings;   ///< of the scene
     std::string error;                   ///< of the session; empty: none
-    std::string refusal;                 ///< why the last request was not taken; empty: it was
-    std::string notice;                  ///< what was done last; empty: nothing, or long ago
-    std::string command;                 ///< that draws this picture
+    std::string refusal;                 ///< why the last input was refused; empty: it was not
+    std::string notice;                  ///< confirms the last action for a while; empty: none
+    std::string command;                 ///< draws this picture
 };
 
-/// What was pressed.
+/// The buttons that were pressed in this frame.
 struct Pressed {
     bool save = false, copy = false, reset = false, help = false;
     std::optional<Opening> opening;
-    std::string refusal; ///< why what was moved was not taken; empty: it was
+    std::string refusal; ///< why a changed control was refused; empty: none was
 };
 
 class Panels {
 public:
     Panels(viewer::FileList files, bool open) : is_open(open), files_(std::move(files)) {}
 
-    /// What is moved is set at once.
+    /// Shows all; changes of controls are applied to the session at once.
     Pressed show(viewer::Session& session, const Shown& shown);
 
-    /// Out of the help, or of the panel's keys.
+    /// Closes the help; if it is closed, takes the keyboard focus from the panel.
     void leave();
 
     bool is_open = true, help = false;
@@ -54,7 +54,7 @@ private:
     OpenControls files_;
     LightControls lights_;
     bool was_open_ = false, had_help_ = false;
-    int release_ = 0; ///< in so many frames the keys go back to the picture
+    int release_ = 0; ///< frames for which the keyboard focus is still taken from all windows
 };
 
 } // namespace lambent::view_window

@@ -1,4 +1,4 @@
-// Takes what the session shows, for the window's thread to fetch.
+// Queues the output of a session for the thread of the window.
 #pragma once
 
 #include "apps/viewer/shown_picture.h"
@@ -16,7 +16,7 @@ public:
     void say(const std::string& state) override;
     void save(viewer::Saved saved) override;
 
-    /// What came since it was last asked for; of pictures the newest. `shown` counts those that came.
+    /// The output since the last take(); of several pictures only the newest. `shown` counts all of them.
     struct News {
         std::optional<viewer::ShownPicture> picture;
         int shown = 0;

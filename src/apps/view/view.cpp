@@ -18,7 +18,7 @@ using viewer::Clock;
 
 constexpr std::chrono::seconds notice_lasts{8}, refusal_lasts{30}, rate_over{1};
 
-// A name that is not there yet: picture.png, picture-2.png, ...
+// The first of picture.png, picture-2.png, ... that does not exist.
 std::string free_name(const std::string& name)
 {
     const std::filesystem::path path(name);
@@ -29,7 +29,7 @@ std::string free_name(const std::string& name)
     return free;
 }
 
-// Folders would push the name out of sight.
+// The title has no folders, which could hide the name.
 std::string title_of(const std::string& scene)
 {
     return text(std::filesystem::path(scene).filename().string(), " - lambent");
@@ -37,10 +37,10 @@ std::string title_of(const std::string& scene)
 
 } // namespace
 
-View::View(viewer::ViewRequest start, const Memory& memory, viewer::FileList files,
+View::View(viewer::ViewRequest start, const WindowSettings& settings, viewer::FileList files,
            viewer::AssetCache& assets)
-    : window_(title_of(start.asked.scene), memory.place), scheduler_(assets),
-      screen_(std::make_shared<Screen>()), panels_(std::move(files), memory.panel)
+    : window_(title_of(start.asked.scene), settings.place), scheduler_(assets),
+      screen_(std::make_shared<Screen>()), panels_(std::move(files), settings.panel)
 {
     const Window::Pixels pixels = window_.pixels();
     viewer::set_size(start, pixels.width, pixels.height);
@@ -53,9 +53,9 @@ View::~View()
     scheduler_.remove(session_);
 }
 
-Memory View::run(const std::function<bool()>& stopped)
+WindowSettings View::run(const std::function<bool()>& stopped)
 {
-    // Dear ImGui answers to an input in the frame after it.
+    // Dear ImGui reacts to input one frame later: without new input two more frames are drawn, then four per second.
     for (int due = 2; !is_done(stopped()); --due) {
         if (window_.listen(due > 0 ? 0.0 : 0.25))
             due = 2;
@@ -129,7 +129,7 @@ void View::act(const Pressed& pressed, const Asked& asked)
 
 void View::take_news()
 {
-    shown_.saving = session_->is_saving(); // asked first: what was saved before is there now
+    shown_.saving = session_->is_saving(); // before take(), which then has all pictures saved so far
     const Screen::News news = screen_->take();
     for (int i = 0; i < news.shown; ++i)
         session_->seen();
@@ -191,9 +191,11 @@ void View::write(const viewer::Saved& saved)
     }
 }
 
+// The session's own line may already begin with this.
 void View::give_up_saving(const std::string& why)
 {
-    unsaved_ = text("The picture was not saved: ", why);
+    constexpr std::string_view begin = "the picture was not saved: ";
+    unsaved_ = text("The picture was not saved: ", why.starts_with(begin) ? why.substr(begin.size()) : why);
     refuse(unsaved_);
 }
 
@@ -205,13 +207,13 @@ void View::follow_size()
     viewer::set_size(wanted, pixels.width, pixels.height);
     const draw::Settings& settings = wanted.asked.settings;
     if (pixels.width < 1 || (settings.width == now.settings.width && settings.height == now.settings.height))
-        return; // also while it is an icon
+        return; // the size is 0 while the window is minimised
     session_->change(0, [&](viewer::ViewRequest& request, const viewer::OrbitCamera::World&) {
         viewer::set_size(request, pixels.width, pixels.height);
     });
 }
 
-// One after the other: the session opens one thing at a time.
+// Opens queued files one after the other, as the session opens one at a time.
 void View::open_next()
 {
     if (openings_.empty() || session_->is_opening())

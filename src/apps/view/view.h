@@ -1,9 +1,9 @@
-// A window onto one session: what comes from hands goes to the session, and what that shows onto the screen.
+// A window that shows one session, and applies mouse and keys to it.
 #pragma once
 
 #include "apps/view/canvas.h"
 #include "apps/view/input_handler.h"
-#include "apps/view/memory.h"
+#include "apps/view/window_settings.h"
 #include "apps/view/panel.h"
 #include "apps/view/screen.h"
 #include "apps/view/window.h"
@@ -17,20 +17,22 @@
 
 namespace lambent::view_window {
 
-/// The window's thread; pictures are drawn by the scheduler's.
+/// Used by the thread of the window; the scheduler's thread draws the pictures.
 class View {
 public:
-    /// Throws Error(no_device) where no window can be opened.
-    View(viewer::ViewRequest start, const Memory& memory, viewer::FileList files, viewer::AssetCache& assets);
+    /// Opens the window. Throws Error(no_device) if that fails.
+    View(viewer::ViewRequest start, const WindowSettings& settings, viewer::FileList files,
+         viewer::AssetCache& assets);
     ~View();
     View(const View&) = delete;
     View& operator=(const View&) = delete;
 
-    /// Until the window is closed or `stopped` says so, and what was asked to be saved is. What is to be remembered then.
-    /// Throws Error(cannot_write) if it was stopped and that cannot be saved; closed it stays and shows the reason.
-    Memory run(const std::function<bool()>& stopped);
+    /// Runs until the window is closed or `stopped` returns true, and all requested pictures are saved. Returns the
+    /// settings to keep. If a picture cannot be saved, a closed window stays open and shows the reason; a stopped one
+    /// throws Error(cannot_write).
+    WindowSettings run(const std::function<bool()>& stopped);
 
-    /// How long what is being saved is waited for.
+    /// How long pictures that are being saved are waited for at the end.
     static constexpr std::chrono::seconds patience{60};
 
 private:
@@ -55,10 +57,11 @@ private:
     Panels panels_;
     Shown shown_;
     std::deque<Opening> openings_;
-    std::deque<viewer::Clock::time_point> recent_; ///< pictures while moving
+    std::deque<viewer::Clock::time_point>
+        recent_; ///< when the pictures of the last second arrived while moving
     viewer::Clock::time_point noticed_{}, refused_{}, ending_{};
-    int awaited_ = 0;     ///< pictures that were asked to be saved
-    std::string unsaved_; ///< why one could not be since the end was asked for; empty: all could
+    int awaited_ = 0;     ///< requested pictures that are not saved yet
+    std::string unsaved_; ///< why saving failed since the end was asked for; empty: it did not fail
 };
 
 } // namespace lambent::view_window

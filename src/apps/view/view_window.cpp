@@ -3,7 +3,7 @@
 #include "apps/common/console.h"
 #include "apps/common/interrupt.h"
 #include "apps/common/threads.h"
-#include "apps/view/memory.h"
+#include "apps/view/window_settings.h"
 #include "apps/view/view.h"
 #include "apps/viewer/load_first.h"
 
@@ -12,13 +12,13 @@
 namespace lambent::view_window {
 namespace {
 
-Memory remembered(const cli::Console& console)
+WindowSettings remembered(const cli::Console& console)
 {
     std::string complaint;
-    Memory memory = load_memory(complaint);
+    WindowSettings settings = load_settings(complaint);
     if (!complaint.empty())
         console.warn({complaint});
-    return memory;
+    return settings;
 }
 
 std::vector<std::filesystem::path> folders(const cli::RenderArguments& picture)
@@ -36,24 +36,24 @@ void run(const cli::ViewArguments& arguments)
     const cli::RenderArguments& picture = arguments.start.picture;
     const cli::ThreadLimit limit(picture.common.threads);
     const cli::Console console(picture.common.verbosity);
-    const Memory before = remembered(console);
-    Memory memory = before;
+    const WindowSettings before = remembered(console);
+    WindowSettings settings = before;
     const bool has_size = arguments.start.given("size");
     if (has_size)
-        memory.place = {picture.settings.width, picture.settings.height, before.place.corner, false};
+        settings.place = {picture.settings.width, picture.settings.height, before.place.corner, false};
     viewer::AssetCache assets({picture.cache,
                                picture.backend,
                                [&](const std::string& line) { console.warn({line}); },
                                picture.common.strict,
                                {true, {}}});
     const viewer::ViewRequest start = viewer::load_first(arguments.start, assets, console);
-    // Until here there is nothing to lose.
+    // Only from here on does an interrupt have to wait for pictures that are being saved.
     const cli::Interrupt interrupt;
-    View view(start, memory, viewer::FileList(folders(picture)), assets);
-    memory = view.run([&] { return interrupt.asked(); });
-    if (has_size) // a size for once
-        memory.place = before.place;
-    keep_memory(memory);
+    View view(start, settings, viewer::FileList(folders(picture)), assets);
+    settings = view.run([&] { return interrupt.asked(); });
+    if (has_size) // --size is for this run only
+        settings.place = before.place;
+    save_settings(settings);
 }
 
 } // namespace lambent::view_window

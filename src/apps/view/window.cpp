@@ -27,7 +27,7 @@ std::string reason()
 Error no_window(const std::string& why)
 {
     return {Failure::no_device,
-            text("no window can be opened: ", why, "; lambent serve shows the same in a browser")};
+            text("no window can be opened: ", why, "; use lambent serve in a browser instead")};
 }
 
 std::vector<WorkArea> work_areas()
@@ -40,7 +40,7 @@ std::vector<WorkArea> work_areas()
     return areas;
 }
 
-// Hidden, so that it appears where it belongs.
+// Creates the window hidden and shows it once it is placed, so that it does not jump.
 GLFWwindow* make_window(const std::string& title, const WindowPlace& place)
 {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
@@ -63,7 +63,7 @@ void start_gui(GLFWwindow* window)
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr; // what is remembered is memory.h's
+    io.IniFilename = nullptr; // settings are kept by window_settings.h instead
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     ImGui_ImplGlfw_InitForOpenGL(window, true);
     ImGui_ImplOpenGL3_Init("#version 130");
@@ -94,7 +94,7 @@ Window::Window(const std::string& title, const WindowPlace& place) : place_(plac
     glfwGetWindowContentScale(window_, &wanted_scale_, nullptr);
 }
 
-// Before Dear ImGui, which calls on.
+// To be called before Dear ImGui installs its callbacks, which call these.
 void Window::set_callbacks()
 {
     glfwSetWindowUserPointer(window_, this);
@@ -112,7 +112,8 @@ void Window::set_callbacks()
         window_, [](GLFWwindow* window, float scale, float) { own(window).set_scale(scale); });
 }
 
-// Keys that write come as characters, whatever the keyboard's language; but none come while Control is held.
+// Printable keys arrive as characters in the keyboard's layout, except while Control is held: then the key's name is
+// used.
 void Window::note_key(int key, int code, bool repeated, int modifiers)
 {
     pressed_.push_back(key);
@@ -129,7 +130,7 @@ void Window::note_key(int key, int code, bool repeated, int modifiers)
     keys_.push_back(typed);
 }
 
-// Where letters are not Latin the place of the key counts.
+// In layouts without Latin letters the key's position on a US keyboard gives the letter.
 void Window::note_character(unsigned character)
 {
     Key typed = last_key_;
@@ -182,7 +183,7 @@ WindowPlace Window::place() const
     return place_;
 }
 
-// A maximised window or an icon has a place of its own to come back to.
+// The position and size before maximising or minimising are kept, to return to.
 void Window::note_place()
 {
     place_.maximised = glfwGetWindowAttrib(window_, GLFW_MAXIMIZED) == GLFW_TRUE;
@@ -192,7 +193,7 @@ void Window::note_place()
     glfwGetError(nullptr);
     WindowPlace::Corner corner;
     glfwGetWindowPos(window_, &corner.x, &corner.y);
-    // Some desktops tell nobody.
+    // Some desktops, such as Wayland, do not tell positions.
     if (glfwGetError(nullptr) == GLFW_NO_ERROR)
         place_.corner = corner;
 }
@@ -220,7 +221,7 @@ void Window::wake()
     glfwPostEmptyEvent();
 }
 
-// Letters have their size in pixels, controls in units of the screen, of which each has `density` pixels.
+// Fonts are sized in pixels, controls in screen units of `density` pixels each.
 void Window::fit_letters()
 {
     int width = 0;
@@ -247,14 +248,14 @@ void Window::fit_letters()
 
 void Window::begin()
 {
-    ImGui_ImplOpenGL3_NewFrame(); // makes what fit_letters() replaces
+    ImGui_ImplOpenGL3_NewFrame(); // makes the font texture, which fit_letters() replaces
     fit_letters();
     ImGui_ImplGlfw_NewFrame();
     press_again();
     ImGui::NewFrame();
 }
 
-// A key that is up again already was down for this frame all the same, and what it was held with.
+// Reports keys that were pressed and released within one frame as pressed for that frame, with their modifiers.
 void Window::press_again()
 {
     ImGuiIO& io = ImGui::GetIO();

@@ -1,4 +1,4 @@
-// A window on the screen, with OpenGL 3 in it and Dear ImGui over it.
+// A window with an OpenGL 3 context and Dear ImGui.
 #pragma once
 
 #include "apps/view/window_place.h"
@@ -13,7 +13,7 @@ namespace lambent::view_window {
 
 class Window {
 public:
-    /// Throws Error(no_device) where there is no display or no OpenGL.
+    /// Throws Error(no_device) if there is no display or no OpenGL.
     Window(const std::string& title, const WindowPlace& place);
     ~Window();
     Window(const Window&) = delete;
@@ -22,32 +22,33 @@ public:
     void set_title(const std::string& title) const;
     void copy(const std::string& text) const; ///< to the clipboard
 
-    /// Whether the desktop or close() asked for the end, unless stay() came after it.
+    /// Whether the desktop or close() asked to close the window; stay() withdraws that.
     bool closing() const;
     void close() const;
     void stay() const;
 
-    /// Where it stands, or stood before it was maximised.
+    /// The position and size, those before maximising if it is maximised.
     WindowPlace place() const;
 
-    /// In pixels, of which a unit of the screen may have several.
+    /// The size in pixels, of which a screen unit may have several.
     struct Pixels {
         int width = 1, height = 1;
     };
     Pixels pixels() const;
 
-    /// Takes what happened; if `seconds` is above 0, waits so long for something. False: nothing happened in this time.
+    /// Handles events; waits up to `seconds` for the first one if that is above 0. Returns false if none came in that
+    /// time.
     bool listen(double seconds);
 
-    /// Everything of Dear ImGui between these two is shown, over what was drawn before end().
+    /// Begin and end a frame: controls of Dear ImGui go in between, and are drawn over what was drawn before end().
     void begin();
     void end();
 
-    /// Letters and controls for another content scale: 1 on usual screens, 2 on dense ones.
+    /// Sets the content scale of text and controls: 1 on usual screens, 2 on those with twice the pixel density.
     void set_scale(float scale) { wanted_scale_ = scale; }
 
-    /// What was typed: a character in small letters, or else a key, GLFW_KEY_*. Dear ImGui knows keys only by their
-    /// places on an American keyboard.
+    /// A typed key: a lower-case character, or else GLFW_KEY_*. Dear ImGui is not used for this, as it identifies keys
+    /// by their position on a US keyboard.
     struct Key {
         char character = 0;
         int key = 0;
@@ -55,10 +56,10 @@ public:
     };
     std::vector<Key> take_keys() { return std::exchange(keys_, {}); }
 
-    /// Names of files that were dropped.
+    /// Names of files that were dropped onto the window.
     std::vector<std::string> take_dropped() { return std::exchange(dropped_, {}); }
 
-    /// Ends waiting, from any thread.
+    /// Ends the wait in listen(). Any thread.
     static void wake();
 
 private:

@@ -6,7 +6,7 @@
 namespace lambent::view_window {
 namespace {
 
-// As much of the top edge has to be seen, and as much below it.
+// So much of the top edge must be visible, and so much height below it.
 constexpr std::int64_t least_across = 100, least_down = 50;
 
 bool can_be_held(const WindowPlace& place, const WorkArea& area)

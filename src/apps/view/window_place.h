@@ -1,4 +1,4 @@
-// Where a window stands, and whether it can be seen there.
+// The position and size of a window, and whether it can be reached there.
 #pragma once
 
 #include <optional>
@@ -6,23 +6,23 @@
 
 namespace lambent::view_window {
 
-/// In the units of the screen.
+/// In screen units.
 struct WindowPlace {
     int width = 1280, height = 720;
     struct Corner {
         int x = 0, y = 0;
     };
-    std::optional<Corner> corner; ///< top left of the picture; none: wherever the desktop puts it
+    std::optional<Corner> corner; ///< top left of the content; unset: the desktop chooses
     bool maximised = false;
 };
 
-/// A part of the desktop where windows may be: one of each monitor.
+/// The part of a monitor that windows may cover.
 struct WorkArea {
     int x = 0, y = 0, width = 0, height = 0;
 };
 
-/// The same place without a corner if too little of the window's top would be seen to take hold of it, and no larger than
-/// the largest area, if there is any.
+/// Returns the place limited to the size of the largest area, and without a corner where too little of the window's top
+/// edge would be visible to drag it. Without areas it is returned unchanged.
 WindowPlace reachable(WindowPlace place, const std::vector<WorkArea>& areas);
 
 } // namespace lambent::view_window

@@ -16,7 +16,7 @@
 namespace lambent::viewer {
 namespace {
 
-// Changes whenever a file does; "" where there is none.
+// A text that differs when the file was changed; "" if there is no such file.
 std::string signature_of(const std::string& file)
 {
     std::error_code error;
@@ -32,12 +32,12 @@ bool has_changed(const std::map<std::string, std::string>& watch)
                        [](const auto& file) { return signature_of(file.first) != file.second; });
 }
 
-// From now on the file and these, of which those that are new are about to be read.
-void watch_too(const std::vector<std::filesystem::path>& beside, const std::string& file,
-               std::map<std::string, std::string>& watch)
+// Watches `file` and `others` instead of what was watched before. Files that are new here have not been read yet.
+void watch_files(const std::vector<std::filesystem::path>& others, const std::string& file,
+                 std::map<std::string, std::string>& watch)
 {
     std::map<std::string, std::string> next = {{file, watch.at(file)}};
-    for (const std::filesystem::path& path : beside) {
+    for (const std::filesystem::path& path : others) {
         const std::string name = path.string();
         if (next.size() < AssetCache::most_watched)
             next.emplace(name, watch.contains(name) ? watch.at(name) : signature_of(name));
@@ -55,7 +55,7 @@ std::string model_key(const cli::RenderArguments& arguments)
                 options.exponent.value_or(0.0f), " ", options.density);
 }
 
-// "" where there is none to watch.
+// "" for environments without a file.
 std::string file_of_environment(const std::string& name)
 {
     return name == "none" || environment::is_builtin(name) ? "" : name;
@@ -63,7 +63,9 @@ std::string file_of_environment(const std::string& name)
 
 } // namespace
 
-AssetCache::AssetCache(StockOptions options) : options_(std::move(options)), thread_([this] { work(); }) {}
+AssetCache::AssetCache(AssetCacheOptions options) : options_(std::move(options)), thread_([this] { work(); })
+{
+}
 
 AssetCache::~AssetCache()
 {
@@ -145,7 +147,7 @@ AssetCache::Slot& AssetCache::wait_for(const std::string& key, std::unique_lock<
 
 void AssetCache::load(const cli::RenderArguments& arguments)
 {
-    // Asked for again while others' wishes fill the queue; at a program's start there are none.
+    // At a program's start the queue is empty, so neither request is ignored.
     model(arguments);
     environment(arguments.environment);
     std::unique_lock lock(mutex_);
@@ -159,7 +161,7 @@ void AssetCache::work()
     while (!ending_) {
         if (waiting_.empty()) {
             wake_.wait_for(lock, std::chrono::milliseconds(watch_ms));
-            look_at_files();
+            reload_changed();
         } else {
             load_one(lock);
         }
@@ -174,13 +176,13 @@ void AssetCache::load_one(std::unique_lock<std::mutex>& lock)
     const std::string file = slots_[key].file;
     Watch watch = slots_[key].watch;
     lock.unlock();
-    // Before the loading: what is written meanwhile is loaded again.
+    // Taken before loading, so that a file written during it is loaded again.
     for (auto& [name, signature] : watch)
         signature = signature_of(name);
-    const auto note = [&](const std::vector<std::filesystem::path>& beside) {
-        watch_too(beside, file, watch);
+    const auto note = [&](const std::vector<std::filesystem::path>& others) {
+        watch_files(others, file, watch);
     };
-    Thing value;
+    Asset value;
     std::string problem;
     Failure failure = Failure::bad_input;
     try {
@@ -209,13 +211,13 @@ void AssetCache::load_one(std::unique_lock<std::mutex>& lock)
         return;
     calling_ = true;
     lock.unlock();
-    changed_(); // nobody replaces it meanwhile
+    changed_(); // on_change() does not replace it while calling_ is set
     lock.lock();
     calling_ = false;
     done_.notify_all();
 }
 
-void AssetCache::look_at_files()
+void AssetCache::reload_changed()
 {
     for (auto& [key, slot] : slots_)
         if (slot.loaded && !slot.busy && has_changed(slot.watch)) {

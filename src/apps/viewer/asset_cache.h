@@ -1,4 +1,4 @@
-// Scenes and environments, shared by all viewers: loaded in a thread of their own, loaded again when files change.
+// Scenes and environments shared by all sessions: loaded by a thread of their own, and again when their files change.
 #pragma once
 
 #include "apps/options/arguments.h"
@@ -18,65 +18,66 @@
 
 namespace lambent::viewer {
 
-struct StockOptions {
-    bool cache = true; ///< of environments and shaders, in the user's folder
+struct AssetCacheOptions {
+    bool cache = true; ///< whether environments and shaders are cached in the user's folder
     cli::Backend backend = cli::Backend::automatic;
-    std::function<void(const std::string&)> warn = [](const std::string&) {}; ///< as cli::RendererChoice's
-    bool strict = false;  ///< what files are warned of is an error
-    scene::Reach reach{}; ///< how far what a glTF names may lead
+    std::function<void(const std::string&)> warn = [](const std::string&) {}; ///< as RendererChoice::warn
+    bool strict = false;  ///< whether warnings about a file make loading it fail
+    scene::Reach reach{}; ///< the files that a glTF may refer to
 };
 
-/// A panorama as it is in its file, for the reference.
+/// A panorama as read from its file, for the reference.
 struct RawEnvironment {
     std::optional<image::RadianceImage> panorama; ///< unset: "none"
 };
 
-/// What is there of something asked for. After a file changed `value` is the old one until the new one is loaded, and
-/// stays it, with the reason as `error`, if that cannot be.
+/// The state of a requested asset. After its file changed, `value` remains the old one until the new one is loaded; if
+/// loading fails it remains, and `error` has the reason.
 template <class T>
 struct Found {
     std::shared_ptr<T> value;
     std::string error;    ///< one line; empty: none
-    bool pending = false; ///< it is being loaded
+    bool pending = false; ///< being loaded
 };
 
-/// Safe for many threads.
+/// All functions may be called from any thread.
 class AssetCache {
 public:
-    explicit AssetCache(StockOptions options = {});
+    explicit AssetCache(AssetCacheOptions options = {});
     AssetCache(const AssetCache&) = delete;
     AssetCache& operator=(const AssetCache&) = delete;
     ~AssetCache();
 
-    /// Called, from the loading thread, whenever something asked for was loaded or failed to. Waits for a call that is under
-    /// way: what the old function used may then go.
+    /// Sets a function that the loading thread calls whenever an asset was loaded or failed to load. Waits for a
+    /// running call of the old function, so that what that uses may be destroyed afterwards.
     void on_change(std::function<void()> changed);
 
-    /// The scene that the arguments name, with their options for built-in shapes. Never waits.
+    /// The scene that the arguments name, with their options for built-in shapes. Does not wait for loading.
     Found<Model> model(const cli::RenderArguments& arguments);
 
-    /// The environment of this name. Never waits.
+    /// The environment of this name. Does not wait for loading.
     Found<const cli::LoadedEnvironment> environment(const std::string& name);
 
-    /// The same environment unprepared. Never waits.
+    /// The panorama of this environment, not prepared for drawing. Does not wait for loading.
     Found<const RawEnvironment> raw_environment(const std::string& name);
 
-    /// Waits until both were loaded. Throws Error if one could not be.
+    /// Waits until the scene and the environment are loaded. Throws Error if one cannot be.
     void load(const cli::RenderArguments& arguments);
 
-    /// How often files are looked at, and how much is kept that nobody looks at.
-    static constexpr int watch_ms = 300, most_kept = 6, most_waiting = 8;
-    static constexpr std::size_t most_watched = 256; ///< files of one thing
+    static constexpr int watch_ms = 300;   ///< how often files are checked for changes
+    static constexpr int most_kept = 6;    ///< beyond this, assets that are not in use are dropped
+    static constexpr int most_waiting = 8; ///< to be loaded; requests beyond it are ignored until repeated
+    static constexpr std::size_t most_watched = 256; ///< files of one asset
 
 private:
-    using Thing = std::shared_ptr<void>;
+    using Asset = std::shared_ptr<void>;
     using NoteFiles = Model::NoteFiles;
-    using Load = std::function<Thing(const NoteFiles&)>;
-    /// Files, and what tells that they have changed since they were read.
+    using Load = std::function<Asset(const NoteFiles&)>;
+    /// Files, each with a signature that changes with the file.
     using Watch = std::map<std::string, std::string>;
     struct Slot {
-        Thing value;
-        std::string error, file; ///< no file: built-in
+        Asset value;
+        std::string error, file; ///< `file` is empty for built-in assets
         Watch watch;
         Failure failure = Failure::bad_input;
         Load load;
@@ -89,10 +90,10 @@ private:
     Slot& wait_for(const std::string& key, std::unique_lock<std::mutex>& lock);
     void work();
     void load_one(std::unique_lock<std::mutex>& lock);
-    void look_at_files();
+    void reload_changed();
     void drop_unused();
 
-    const StockOptions options_;
+    const AssetCacheOptions options_;
     std::mutex mutex_;
     std::condition_variable wake_, done_;
     std::map<std::string, Slot> slots_;
@@ -100,7 +101,7 @@ private:
     std::function<void()> changed_;
     std::uint64_t clock_ = 0;
     bool ending_ = false, calling_ = false;
-    std::thread thread_; ///< last: it uses the others
+    std::thread thread_; ///< last, as it uses the other members
 };
 
 } // namespace lambent::viewer

@@ -1,12 +1,10 @@
 #include "apps/viewer/draw_scheduler.h"
 
-#include "apps/common/layer_files.h"
-#include "apps/common/picture_file.h"
+#include "apps/viewer/present_frame.h"
 #include "base/error.h"
 #include "base/text.h"
 
 #include <algorithm>
-#include <cmath>
 #include <new>
 #include <utility>
 
@@ -15,106 +13,18 @@ namespace {
 
 using Task = Plan::Task;
 
-// Thrown out of a drawing that nobody wants any more.
-struct Overtaken {};
+// Thrown from a progress callback to leave a drawing that is no longer wanted.
+struct Abandoned {};
 
-// Whoever got a picture of something that moves this long ago still moves.
+// A session counts as moving for so long after its last picture of a moving view.
 constexpr std::chrono::milliseconds lull{300};
 
-// Others' time for each of a long picture's, while they move.
+// While other sessions move, a long picture waits three times as long as it was drawn: it gets a quarter of the time.
 constexpr int others_share = 3;
 
 double ms_since(Clock::time_point start)
 {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-bool is_transparent(const Plan& plan)
-{
-    return plan.arguments.settings.background.kind == draw::Background::Kind::none;
-}
-
-// The phong model has other layers than ggx, which the table names.
-std::string layer_name(const Plan& plan)
-{
-    if (plan.arguments.settings.model != draw::Model::phong)
-        return plan.layer;
-    if (plan.layer == "base_color")
-        return "diffuse";
-    return plan.layer == "alpha" ? "exponent" : plan.layer;
-}
-
-// Null where the picture itself is asked for, or a layer that its model does not have.
-const draw::Layer* layer_of(const Plan& plan, const draw::Frame& frame)
-{
-    const auto found = std::find_if(frame.layers.begin(), frame.layers.end(),
-                                    [&](const draw::Layer& layer) { return layer.name == layer_name(plan); });
-    return plan.layer == "picture" || found == frame.layers.end() ? nullptr : &*found;
-}
-
-image::CodeImage codes_of(const Plan& plan, const draw::Frame& frame)
-{
-    if (const draw::Layer* const layer = layer_of(plan, frame))
-        return cli::layer_picture(*layer, plan.arguments.display);
-    return cli::picture_codes(frame.radiance, plan.arguments.display, is_transparent(plan));
-}
-
-// What is the same for all pictures.
-void complete(const Plan& plan, double draw_ms, ShownPicture& picture)
-{
-    picture.width = plan.width;
-    picture.height = plan.height;
-    picture.scale = plan.scale;
-    picture.draw_ms = draw_ms;
-    picture.input = plan.input;
-    picture.moment = plan.moment;
-}
-
-ShownPicture picture_of(const Plan& plan, const draw::Frame& frame, double draw_ms)
-{
-    ShownPicture picture;
-    picture.kind = plan.task == Task::moving  ? ShownPicture::Kind::moving
-                   : plan.task == Task::still ? ShownPicture::Kind::still
-                                              : ShownPicture::Kind::rest;
-    picture.codes = codes_of(plan, frame);
-    picture.is_last = plan.task == Task::rest && !plan.is_compared;
-    complete(plan, draw_ms, picture);
-    return picture;
-}
-
-void pick(const Plan& plan, const draw::Frame& frame, Session& session)
-{
-    const auto depth = std::find_if(frame.layers.begin(), frame.layers.end(),
-                                    [](const draw::Layer& layer) { return layer.name == "depth"; });
-    if (depth == frame.layers.end())
-        return;
-    const image::RadianceImage& image = depth->image;
-    const auto at = [](double part, int side) {
-        return std::clamp(static_cast<int>(part * side), 0, side - 1);
-    };
-    const int x = at(plan.place[0], image.width), y = at(plan.place[1], image.height);
-    const float* pixel = image.pixel(x, y);
-    if (!(pixel[3] > 0.0f))
-        return; // the background: nothing to look at
-    const draw::RayMap rays = draw::ray_map(plan.arguments.settings.camera, image.width, image.height);
-    const glm::vec3 direction =
-        glm::normalize(rays.direction + (static_cast<float>(x) + 0.5f) * rays.direction_dx +
-                       (static_cast<float>(y) + 0.5f) * rays.direction_dy);
-    session.picked(glm::dvec3(rays.origin + pixel[0] / pixel[3] * direction), plan);
-}
-
-void show(const Plan& plan, const draw::Frame& frame, double draw_ms, Session& session)
-{
-    if (plan.task == Task::pick) {
-        pick(plan, frame, session);
-    } else if (plan.task == Task::save) {
-        const display::Settings& display = plan.arguments.display;
-        session.presenter().save(
-            {plan.file, cli::picture_bytes(frame.radiance, display, is_transparent(plan), plan.file),
-             plan.command});
-    } else {
-        session.presenter().show(picture_of(plan, frame, draw_ms));
-    }
 }
 
 } // namespace
@@ -142,8 +52,8 @@ void DrawScheduler::add(std::shared_ptr<Session> session)
 {
     {
         const std::lock_guard lock(mutex_);
-        places_.push_back(std::make_shared<Place>());
-        places_.back()->session = std::move(session);
+        clients_.push_back(std::make_shared<Client>());
+        clients_.back()->session = std::move(session);
     }
     nudge();
 }
@@ -152,7 +62,8 @@ void DrawScheduler::remove(const std::shared_ptr<Session>& session)
 {
     session->close();
     const std::lock_guard lock(mutex_);
-    std::erase_if(places_, [&](const std::shared_ptr<Place>& place) { return place->session == session; });
+    std::erase_if(clients_,
+                  [&](const std::shared_ptr<Client>& client) { return client->session == session; });
 }
 
 void DrawScheduler::nudge()
@@ -164,20 +75,20 @@ void DrawScheduler::nudge()
     wake_.notify_all();
 }
 
-DrawScheduler::Places DrawScheduler::places()
+DrawScheduler::Clients DrawScheduler::clients()
 {
     const std::lock_guard lock(mutex_);
-    return places_;
+    return clients_;
 }
 
-// `is_moving`, which must not wait, of any other place; of this one, too, while it saves a picture, which need not be that
-// of what moves.
+// Returns whether `is_moving`, which must not block, holds for another session; also for this one while it saves a
+// picture, as its view may have moved on since.
 template <class IsMoving>
-bool DrawScheduler::any_moves(const Place& place, const IsMoving& is_moving)
+bool DrawScheduler::any_other(const Client& client, const IsMoving& is_moving)
 {
     const std::lock_guard lock(mutex_);
-    return std::any_of(places_.begin(), places_.end(), [&](const std::shared_ptr<Place>& other) {
-        return (other.get() != &place || place.session->is_saving()) && is_moving(*other);
+    return std::any_of(clients_.begin(), clients_.end(), [&](const std::shared_ptr<Client>& other) {
+        return (other.get() != &client || client.session->is_saving()) && is_moving(*other);
     });
 }
 
@@ -195,41 +106,42 @@ void DrawScheduler::work()
 
 bool DrawScheduler::work_once(Clock::time_point& wake)
 {
-    const Places all = places();
+    const Clients all = clients();
     for (std::size_t i = 0; i < all.size(); ++i) {
         const std::size_t turn = (next_ + i) % all.size();
-        Place& place = *all[turn];
+        Client& client = *all[turn];
         const Clock::time_point now = Clock::now();
-        const bool may_be_long = now >= place.long_from || !any_moves(place, [&](const Place& other) {
-                                     return other.session->is_hungry() || now - other.moved < lull;
-                                 });
+        const bool may_be_long =
+            now >= client.long_after || !any_other(client, [&](const Client& other) {
+                return other.session->waits_for_moving_picture() || now - other.moved < lull;
+            });
         if (!may_be_long)
-            wake = std::min({wake, place.long_from, now + lull});
-        if (const std::optional<Plan> plan = place.session->plan(now, wake, may_be_long)) {
+            wake = std::min({wake, client.long_after, now + lull});
+        if (const std::optional<Plan> plan = client.session->plan(now, wake, may_be_long)) {
             next_ = turn + 1;
-            carry_out(*plan, place);
+            carry_out(*plan, client);
             return true;
         }
     }
     return false;
 }
 
-bool DrawScheduler::goes_on(const Plan& plan, const Place& place, Clock::time_point start)
+bool DrawScheduler::may_continue(const Plan& plan, const Client& client, Clock::time_point start)
 {
-    if (ending_ || (plan.is_long() && place.session->is_stale(plan)))
-        throw Overtaken{};
+    if (ending_ || (plan.is_long() && client.session->is_stale(plan)))
+        throw Abandoned{};
     return !plan.is_long() || Clock::now() - start < slice ||
-           !any_moves(place, [](const Place& other) { return other.session->is_hungry(); });
+           !any_other(client, [](const Client& other) { return other.session->waits_for_moving_picture(); });
 }
 
-// The plan's picture, in the plan's pose.
-DrawScheduler::BegunPicture DrawScheduler::begin_or_go_on(const Plan& plan, Place& place)
+// Returns the plan's picture, paused or new, with the model in the plan's pose.
+DrawScheduler::BegunPicture DrawScheduler::begin_or_resume(const Plan& plan, Client& client)
 {
     plan.model->pose(plan.arguments);
-    if (place.paused && place.session->is_stale(place.paused->plan))
-        place.paused.reset();
-    if (place.paused && place.paused->plan.task == plan.task && place.paused->plan.serial == plan.serial)
-        return std::move(place.paused);
+    if (client.paused && client.session->is_stale(client.paused->plan))
+        client.paused.reset();
+    if (client.paused && client.paused->plan.task == plan.task && client.paused->plan.serial == plan.serial)
+        return std::move(client.paused);
     const auto& environment = plan.environment->environment;
     const draw::Settings& settings = plan.arguments.settings;
     draw::Renderer& renderer = plan.model->renderer(settings.texel_transfer);
@@ -237,75 +149,76 @@ DrawScheduler::BegunPicture DrawScheduler::begin_or_go_on(const Plan& plan, Plac
         Begun{plan, renderer.start(environment ? &*environment : nullptr, settings)});
 }
 
-void DrawScheduler::draw(const Plan& plan, Place& place)
+void DrawScheduler::draw(const Plan& plan, Client& client)
 {
     const Clock::time_point start = Clock::now();
-    BegunPicture begun = begin_or_go_on(plan, place);
-    const bool whole = begun->drawing->advance([&](float) { return goes_on(plan, place, start); });
+    BegunPicture begun = begin_or_resume(plan, client);
+    const bool whole = begun->drawing->advance([&](float) { return may_continue(plan, client, start); });
     begun->milliseconds += ms_since(start);
     if (whole) {
-        finish(plan, *place.session, begun->drawing->take(), begun->milliseconds);
+        finish(plan, *client.session, begun->drawing->take(), begun->milliseconds);
     } else {
-        place.paused = std::move(begun);
-        place.session->paused(plan);
+        client.paused = std::move(begun);
+        client.session->plan_paused(plan);
     }
 }
 
-// Shows what was drawn; the milliseconds are those of the drawing.
+// Shows the frame; `milliseconds` is how long drawing took.
 void DrawScheduler::finish(const Plan& plan, Session& session, draw::Frame frame, double milliseconds) const
 {
     const Clock::time_point start = Clock::now();
-    show(plan, frame, milliseconds, session);
-    if (plan.task == Task::rest && plan.layer != "picture" && !layer_of(plan, frame))
-        session.complain(text("the model phong has no layer ", plan.layer, ": this is the picture"));
+    present_frame(plan, frame, milliseconds, session);
+    if (plan.task == Task::rest && lacks_layer(plan, frame))
+        session.report_error(
+            text("the model phong has no layer ", plan.layer, ": the picture is shown instead"));
     if (plan.is_compared)
-        session.drawn(plan, std::move(frame.radiance));
-    session.done(plan, milliseconds + ms_since(start));
+        session.light_drawn(plan, std::move(frame.radiance));
+    session.picture_finished(plan, milliseconds + ms_since(start));
 }
 
-// As long as there is something new to be seen by: a picture takes its time to be made and to be sent.
-void DrawScheduler::trace(const Plan& plan, Place& place)
+// Shows a picture of the trace every 400 ms of tracing, as making and sending one takes time.
+void DrawScheduler::trace(const Plan& plan, Client& client)
 {
     constexpr double step_ms = 400.0;
     const Clock::time_point start = Clock::now();
     const bool finished = plan.trace->advance([&](const reference::Progress&) {
-        const bool is_due = plan.trace->has_picture() && place.unseen_ms + ms_since(start) >= step_ms;
-        return goes_on(plan, place, start) && !is_due;
+        const bool is_due = plan.trace->has_picture() && client.unseen_ms + ms_since(start) >= step_ms;
+        return may_continue(plan, client, start) && !is_due;
     });
-    place.unseen_ms += ms_since(start);
-    if (!finished && (place.unseen_ms < step_ms || !plan.trace->has_picture())) {
-        place.session->paused(plan);
+    client.unseen_ms += ms_since(start);
+    if (!finished && (client.unseen_ms < step_ms || !plan.trace->has_picture())) {
+        client.session->plan_paused(plan);
         return;
     }
     ShownPicture picture = plan.trace->picture();
-    complete(plan, place.unseen_ms, picture);
-    place.unseen_ms = 0.0;
-    place.session->presenter().show(std::move(picture));
+    complete_picture(plan, client.unseen_ms, picture);
+    client.unseen_ms = 0.0;
+    client.session->presenter().show(std::move(picture));
     if (finished)
-        place.session->traced(plan);
+        client.session->trace_finished(plan);
 }
 
-void DrawScheduler::carry_out(const Plan& plan, Place& place)
+void DrawScheduler::carry_out(const Plan& plan, Client& client)
 {
     const Clock::time_point start = Clock::now();
-    Session& session = *place.session;
+    Session& session = *client.session;
     try {
         if (plan.task == Task::trace)
-            trace(plan, place);
+            trace(plan, client);
         else
-            draw(plan, place);
-    } catch (const Overtaken&) {
-        session.failed(plan, "");
+            draw(plan, client);
+    } catch (const Abandoned&) {
+        session.plan_failed(plan, "");
     } catch (const std::bad_alloc&) {
-        session.failed(plan, "not enough memory for the picture");
+        session.plan_failed(plan, "not enough memory for the picture");
     } catch (const std::exception& error) {
-        session.failed(plan, one_line(error.what()));
+        session.plan_failed(plan, one_line(error.what()));
     }
     const Clock::time_point end = Clock::now();
     if (plan.is_long())
-        place.long_from = end + others_share * (end - start);
+        client.long_after = end + others_share * (end - start);
     else
-        place.moved = end;
+        client.moved = end;
 }
 
 } // namespace lambent::viewer

@@ -1,4 +1,4 @@
-// Draws for all sessions, one picture at a time, each session in its turn.
+// Draws for all sessions, one picture at a time, each session in turn.
 #pragma once
 
 #include "apps/viewer/session.h"
@@ -11,8 +11,8 @@
 
 namespace lambent::viewer {
 
-/// One thread, which uses all others of TBB. A long picture (something at rest, a trace, a file) ends early when it is no
-/// longer wanted, and pauses whenever something moves: of the time then at most a quarter is its.
+/// A thread that draws with all of TBB's. A long picture (a view at rest, a trace, a file) is abandoned when it is no
+/// longer wanted, and pauses while other sessions' views move: it then gets at most a quarter of the time.
 class DrawScheduler {
 public:
     explicit DrawScheduler(AssetCache& assets);
@@ -22,57 +22,57 @@ public:
 
     void add(std::shared_ptr<Session> session);
 
-    /// Closes it. What is being drawn for it ends soon.
+    /// Closes the session. A picture that is being drawn for it is abandoned.
     void remove(const std::shared_ptr<Session>& session);
 
-    /// Ends the drawing for good; returns when nothing is shown any more.
+    /// Ends all drawing; returns once nothing is shown any more.
     void stop();
 
-    /// Something changed: there may be work. Any thread.
+    /// Lets the thread look for work after something changed. Any thread.
     void nudge();
 
-    /// How long a long picture may go on while others wait.
+    /// How long a long picture is drawn before it pauses for other sessions.
     static constexpr std::chrono::milliseconds slice{30};
 
 private:
-    /// A picture that is being drawn, or pauses.
+    /// A picture that is being drawn or paused.
     struct Begun {
         Plan plan;
         std::unique_ptr<draw::Drawing> drawing;
-        double milliseconds = 0.0; ///< that it took so far
+        double milliseconds = 0.0; ///< of drawing so far
     };
     using BegunPicture = std::unique_ptr<Begun>;
 
-    /// All but the session is the drawing thread's.
-    struct Place {
+    /// A session and the state of its drawing; all but the session itself is used by the drawing thread alone.
+    struct Client {
         std::shared_ptr<Session> session;
         BegunPicture paused;
-        double unseen_ms = 0.0;        ///< of tracing, since the last picture of it
-        Clock::time_point moved{};     ///< when something that moves was drawn last
-        Clock::time_point long_from{}; ///< nothing long is drawn before, if others move
+        double unseen_ms = 0.0;         ///< of tracing since its last picture
+        Clock::time_point moved{};      ///< when a picture that is not long was drawn last
+        Clock::time_point long_after{}; ///< no long picture is drawn before this while other sessions move
     };
-    using Places = std::vector<std::shared_ptr<Place>>;
+    using Clients = std::vector<std::shared_ptr<Client>>;
 
-    Places places();
-    static BegunPicture begin_or_go_on(const Plan& plan, Place& place);
+    Clients clients();
+    static BegunPicture begin_or_resume(const Plan& plan, Client& client);
     template <class IsMoving>
-    bool any_moves(const Place& place, const IsMoving& is_moving);
+    bool any_other(const Client& client, const IsMoving& is_moving);
     void work();
     bool work_once(Clock::time_point& wake);
-    void carry_out(const Plan& plan, Place& place);
-    void draw(const Plan& plan, Place& place);
-    void trace(const Plan& plan, Place& place);
+    void carry_out(const Plan& plan, Client& client);
+    void draw(const Plan& plan, Client& client);
+    void trace(const Plan& plan, Client& client);
     void finish(const Plan& plan, Session& session, draw::Frame frame, double milliseconds) const;
-    bool goes_on(const Plan& plan, const Place& place, Clock::time_point start);
+    bool may_continue(const Plan& plan, const Client& client, Clock::time_point start);
 
     AssetCache& assets_;
     std::mutex mutex_;
     std::condition_variable wake_;
-    Places places_;
+    Clients clients_;
     std::size_t next_ = 0;
     bool nudged_ = false;
     std::atomic<bool> ending_ = false;
-    std::thread thread_; ///< last: it uses the others
+    std::thread thread_; ///< last, as it uses the other members
 };
 
 } // namespace lambent::viewer

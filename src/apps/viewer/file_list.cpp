@@ -21,7 +21,7 @@ bool is_of(const fs::path& file, const std::vector<std::string>& kinds)
     return std::find(kinds.begin(), kinds.end(), file.extension().string()) != kinds.end();
 }
 
-// Whether the file, whatever links lead to it, is in the folder or below.
+// Returns whether the file, with links resolved, is in the folder or below.
 bool is_in(const fs::path& file, const fs::path& folder)
 {
     std::error_code error;
@@ -63,7 +63,7 @@ std::vector<std::string> FileList::files(const std::vector<std::string>& kinds) 
         std::error_code error;
         fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error),
             end;
-        // A folder may hold a million files.
+        // Bounds the time for folders with very many files.
         for (int looked_at = 0; !error && entry != end && looked_at < 10000;
              entry.increment(error), ++looked_at) {
             if (entry.depth() >= deepest)
@@ -96,14 +96,14 @@ std::vector<std::string> FileList::environments() const
 
 void FileList::check_file(const std::string& name, const std::vector<std::string>& kinds) const
 {
-    // A name with a zero in it is another one for the system.
+    // The system would cut a name at a zero byte.
     const bool clean = !name.empty() && name.find('\0') == std::string::npos && name.size() < 4096;
     const bool allowed = clean && is_of(name, kinds) &&
                          std::any_of(folders_.begin(), folders_.end(),
                                      [&](const fs::path& folder) { return is_in(name, folder); });
     if (!allowed)
         throw Error(Failure::usage,
-                    text("'", one_line(name.substr(0, 100)), "' is none of the files that may be opened"));
+                    text("'", one_line(name.substr(0, 100)), "' is not among the files that may be opened"));
 }
 
 void FileList::check_scene(const std::string& name) const

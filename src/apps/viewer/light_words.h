@@ -1,4 +1,4 @@
-// Words of --light as the fields of controls, and back.
+// Conversions between words of --light and the fields of controls.
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 
 namespace lambent::viewer {
 
-/// A lamp or a sun for people: where it is, how strong, and its colour as screens have it.
+/// A light as controls show it: a sun (directional) or a lamp (point).
 struct LightFields {
     bool is_sun = false;
     std::array<double, 3> place{}; ///< a sun's azimuth and elevation, degrees; a lamp's x, y, z, metres
@@ -17,11 +17,11 @@ struct LightFields {
 /// A sun's angles are brought to -180 to 180 and -90 to 90. Throws Error(usage) as cli::parse_light.
 LightFields read_light(const std::string& word);
 
-/// The word of --light, to six digits. Whatever is in the fields it is one that can be parsed: numbers that are none
-/// become 0, others are cut to what lights may be. The colour's brightness says nothing unless it is black: that is off.
+/// The word of --light, to six digits. It can always be parsed: values that are not finite become 0, others are
+/// clamped. Only the ratios of the colour's channels count, except that black turns the light off.
 std::string light_word(const LightFields& light);
 
-/// A linear colour, cut to 0 to 1, as sRGB, and back.
+/// Conversions between linear and sRGB colours, both clamped to 0 to 1.
 std::array<double, 3> screen_color(const std::array<double, 3>& linear);
 std::array<double, 3> linear_color(const std::array<double, 3>& screen);
 

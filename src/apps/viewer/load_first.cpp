@@ -8,7 +8,7 @@ namespace lambent::viewer {
 
 ViewRequest load_first(const cli::StartArguments& arguments, AssetCache& assets, const cli::Console& console)
 {
-    ViewRequest request = first_wish(arguments);
+    ViewRequest request = starting_request(arguments);
     const cli::RenderArguments first = arguments_of(request);
     assets.load(first);
     const std::shared_ptr<Model> model = assets.model(first).value;

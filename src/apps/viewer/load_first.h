@@ -1,4 +1,4 @@
-// What a viewer's program does before it shows anything.
+// Loading what a viewer shows first.
 #pragma once
 
 #include "apps/common/console.h"
@@ -7,7 +7,7 @@
 
 namespace lambent::viewer {
 
-/// Loads what the command line names, says what there is to warn of, and returns what is to be seen at first.
+/// Loads the scene and the environment of the command line, prints their warnings, and returns the first request.
 /// Throws Error.
 ViewRequest load_first(const cli::StartArguments& arguments, AssetCache& assets, const cli::Console& console);
 

@@ -29,7 +29,7 @@ Model::Model(const cli::RenderArguments& arguments, cli::RendererChoice backend,
             note(file_->files());
         scene_ = file_->scene(std::nullopt, warnings_);
         if (file_->animations().empty())
-            file_.reset(); // its bytes are needed no more
+            file_.reset(); // only poses need its bytes
     }
     bounds_ = scene::framed_bounds(scene_);
 }
@@ -43,7 +43,7 @@ void Model::pose(const cli::RenderArguments& arguments)
     if (moment)
         posed = std::make_unique<scene::Scene>(file_->pose(*moment));
     moment_ = moment;
-    posed_.swap(posed); // the old one lives until nobody draws it
+    posed_.swap(posed); // renderers use the old one until they are posed below
     for (const auto& [transfer, renderer] : renderers_)
         renderer->pose(posed_ ? *posed_ : scene_);
 }

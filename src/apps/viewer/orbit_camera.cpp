@@ -20,8 +20,8 @@ bool is_empty(const scene::Bounds& bounds)
     return !(bounds.low.x <= bounds.high.x);
 }
 
-// One move cannot be more than this, whatever a client says: numbers stay finite.
-double tame(double amount, double most)
+// Limits one move, so that amounts sent by a client keep all values finite.
+double finite_clamp(double amount, double most)
 {
     return std::isfinite(amount) ? std::clamp(amount, -most, most) : 0.0;
 }
@@ -42,8 +42,8 @@ glm::dvec3 middle_of(const scene::Bounds& bounds)
 
 void OrbitCamera::orbit(double azimuth, double elevation)
 {
-    azimuth_ = std::remainder(azimuth_ + tame(azimuth, 360.0), 360.0);
-    elevation_ = std::clamp(elevation_ + tame(elevation, 180.0), -90.0, 90.0);
+    azimuth_ = std::remainder(azimuth_ + finite_clamp(azimuth, 360.0), 360.0);
+    elevation_ = std::clamp(elevation_ + finite_clamp(elevation, 180.0), -90.0, 90.0);
 }
 
 void OrbitCamera::pan(const World& world, double right, double up, double vertical_fov)
@@ -54,15 +54,15 @@ void OrbitCamera::pan(const World& world, double right, double up, double vertic
     const glm::dvec3 back(std::cos(elevation) * std::sin(azimuth), std::sin(elevation),
                           std::cos(elevation) * std::cos(azimuth));
     const double height = 2.0 * std::tan(0.5 * vertical_fov * degree) * *distance_;
-    look_at(world,
-            *target_ - height * (tame(right, 10.0) * across + tame(up, 10.0) * glm::cross(back, across)));
+    look_at(world, *target_ - height * (finite_clamp(right, 10.0) * across +
+                                        finite_clamp(up, 10.0) * glm::cross(back, across)));
 }
 
 void OrbitCamera::dolly(const World& world, double amount)
 {
     fix(world);
     const double radius = radius_of(world.bounds);
-    distance_ = std::clamp(*distance_ * std::exp(tame(amount, 10.0)), EyeLimits::nearest * radius,
+    distance_ = std::clamp(*distance_ * std::exp(finite_clamp(amount, 10.0)), EyeLimits::nearest * radius,
                            EyeLimits::farthest * radius);
 }
 

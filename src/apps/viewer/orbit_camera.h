@@ -1,4 +1,4 @@
-// Where the viewer looks from: an orbit about a point, moved by hands.
+// The camera of a viewer: on an orbit around a target, moved by mouse and keys.
 #pragma once
 
 #include "scene/scene.h"
@@ -11,45 +11,45 @@
 
 namespace lambent::viewer {
 
-/// How far moves may lead, in radii of the scene (half its box's diagonal).
+/// Limits of moves, in radii of the scene (half the diagonal of its bounding box).
 struct EyeLimits {
     static constexpr double nearest = 1e-3, farthest = 100.0, target = 20.0;
 };
 
-/// Angles in degrees, lengths in metres; targets are points of the world.
+/// Angles are in degrees, lengths in metres, targets in world space.
 class OrbitCamera {
 public:
     OrbitCamera() = default;
     OrbitCamera(double azimuth, double elevation) : azimuth_(azimuth), elevation_(elevation) {}
 
-    /// At a distance above 0 from a point; without one from the scene's middle.
+    /// At a distance above 0 from the target, which is the middle of the scene if none is given.
     OrbitCamera(double azimuth, double elevation, double distance, const std::optional<glm::dvec3>& target)
         : azimuth_(azimuth), elevation_(elevation), distance_(distance), target_(target)
     {
     }
 
-    /// What moves are measured by: the scene's box, from its origin, and how far the eye is from its middle when it
-    /// frames all.
+    /// The scene that moves are relative to: its bounding box, relative to its origin, and the distance of the camera
+    /// from the middle of the box when all of it is in view.
     struct World {
         scene::Bounds bounds;
         double framing_distance = 1.0;
-        glm::dvec3 origin{0.0}; ///< of the scene, in the world
+        glm::dvec3 origin{0.0}; ///< of the scene, in world space
     };
 
-    /// Around the target; the elevation ends at the poles.
+    /// Turns around the target; the elevation is clamped at the poles.
     void orbit(double azimuth, double elevation);
 
-    /// By parts of the picture's height, right and up, at the target's depth: what is there follows the hand.
+    /// Moves right and up, in heights of the picture at the depth of the target: a point there follows the pointer.
     void pan(const World& world, double right, double up, double vertical_fov);
 
-    /// The distance times exp(amount): below 0 comes nearer.
+    /// Multiplies the distance by exp(amount): below 0 the camera comes nearer.
     void dolly(const World& world, double amount);
 
-    /// A point becomes the middle of the picture.
+    /// Makes a point the target, and so the middle of the picture.
     void look_at(const World& world, const glm::dvec3& point);
 
-    /// "--camera" and "--target" of `lambent render`, to six digits; a target to a millionth of the distance. Without
-    /// moves of the target or the distance the scene is framed.
+    /// "--camera" and "--target" of `lambent render`, to six digits, a target to a millionth of the distance. Until
+    /// target or distance are changed only the angles are given, and the command frames the scene.
     std::vector<std::string> options() const;
 
     double azimuth() const { return azimuth_; }
@@ -65,10 +65,10 @@ private:
     std::optional<glm::dvec3> target_;
 };
 
-/// Half the diagonal of the box; 1 for an empty one, never 0.
+/// Half the diagonal of the box, at least 1e-6; 1 for an empty box.
 double radius_of(const scene::Bounds& bounds);
 
-/// The middle of the box; the origin for an empty one.
+/// The middle of the box; the origin for an empty box.
 glm::dvec3 middle_of(const scene::Bounds& bounds);
 
 } // namespace lambent::viewer

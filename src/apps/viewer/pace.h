@@ -1,10 +1,10 @@
-// How large pictures may be while things move.
+// The resolution of pictures of a moving view.
 #pragma once
 
 namespace lambent::viewer {
 
-/// Holds a rate by the resolution: a part of the picture's width and height, in sixteenths. A picture is taken to cost in
-/// proportion to its pixels; what it costs is remembered over a few of them.
+/// Keeps the frame rate by choosing the resolution: a scale of the picture's width and height, in sixteenths. The time
+/// for a picture is taken to be proportional to its pixels, and smoothed over several pictures.
 class Pace {
 public:
     static constexpr double least = 0.25;
@@ -13,12 +13,12 @@ public:
     /// From `least` to 1.
     double scale() const { return scale_; }
 
-    /// A picture was made at `scale` and took this long in all, above 0.
+    /// Reports that a picture at `scale` took so long in all; values not above 0 are ignored.
     void made(double scale, double milliseconds);
 
 private:
     double scale_ = 0.5;
-    double full_ms_ = 0.0; ///< of a picture at scale 1; 0: unknown
+    double full_ms_ = 0.0; ///< time for a picture at scale 1; 0: unknown
 };
 
 } // namespace lambent::viewer

@@ -35,57 +35,64 @@ const Parameter& find(std::string_view name)
     throw Error(Failure::usage, text("there is no parameter '", name.substr(0, 40), "'"));
 }
 
-void check_range(const Option& option, double value)
+// Returns the option with its domain narrowed to what its control can be set to, so that the table of options checks
+// words and gives its own messages.
+Option narrowed(const Option& option)
 {
     const Control& control = option.control;
-    if (value < control.least || value > control.most)
-        throw Error(Failure::usage,
-                    text(option.name, ": ", value, " is not from ", control.least, " to ", control.most));
+    Option result = option;
+    if (option.domain.kind == cli::Domain::Kind::choice) {
+        if (!control.choices.empty())
+            result.domain.choices = control.choices;
+        return result;
+    }
+    result.domain.least = control.least;
+    result.domain.most = control.most;
+    result.domain.above_least = false;
+    result.domain.choices = {};
+    return result;
 }
 
-std::string checked_choice(const Parameter& row, const std::string& word)
+// A word of a choice as it may be repeated in a message: choices are shorter, so a longer word remains invalid.
+std::string shortened(const std::string& word)
 {
-    const Option& option = row.option;
-    if (option.domain.kind == cli::Domain::Kind::background) {
-        cli::parse_background(word, std::string(option.name));
-        return word;
-    }
-    const std::vector<std::string> words = choices_of(row);
-    if (std::find(words.begin(), words.end(), word) == words.end())
-        throw Error(Failure::usage,
-                    text(option.name, ": '", word.substr(0, 40), "' is none of ", option.domain.choices));
+    return word.substr(0, 40);
+}
+
+std::string checked_choice(const Option& option, const std::string& word)
+{
+    if (option.domain.kind == cli::Domain::Kind::background)
+        cli::parse_background(word, cli::dashed(option));
+    else
+        cli::choice_of(option, shortened(word));
     return word;
 }
 
 std::string checked_color(const Option& option, const std::string& word)
 {
-    const glm::vec3 color = cli::parse_color(word, std::string(option.name));
-    for (int c = 0; c < 3; ++c)
-        check_range(option, static_cast<double>(color[c]));
-    return text(number_word(static_cast<double>(color.r)), ",", number_word(static_cast<double>(color.g)),
-                ",", number_word(static_cast<double>(color.b)));
+    const glm::vec3 color = cli::parse_color(word, cli::dashed(option));
+    std::string result;
+    for (int c = 0; c < 3; ++c) {
+        const std::string channel = number_word(static_cast<double>(color[c]));
+        cli::number_of(option, channel);
+        result += text(c > 0 ? "," : "", channel);
+    }
+    return result;
 }
 
-std::string checked_number(const Parameter& row, const std::string& word)
-{
-    const double value = cli::parse_number(word, std::string(row.option.name));
-    check_range(row.option, value);
-    if (kind_of(row) == Kind::whole && value != std::floor(value))
-        throw Error(Failure::usage, text(row.option.name, ": ", value, " is not a whole number"));
-    return number_word(value);
-}
-
+// Returns the word as it is kept. Throws Error(usage) where the control cannot be set to it.
 std::string checked(const Parameter& row, const std::string& word)
 {
     if (word.empty() && row.option.usual.empty())
         return word;
+    const Option option = narrowed(row.option);
     switch (kind_of(row)) {
     case Kind::choice:
-        return checked_choice(row, word);
+        return checked_choice(option, word);
     case Kind::color:
-        return checked_color(row.option, word);
+        return checked_color(option, word);
     default:
-        return checked_number(row, word);
+        return number_word(cli::number_of(option, word));
     }
 }
 

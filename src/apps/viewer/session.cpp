@@ -5,37 +5,29 @@
 #include "base/text.h"
 
 #include <glm/geometric.hpp>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace lambent::viewer {
-namespace {
-
-// A file may have thousands.
-constexpr std::size_t most_animations = 200;
-
-} // namespace
 
 Session::Session(ViewRequest start, AssetCache& assets, std::shared_ptr<Presenter> presenter)
     : assets_(assets), presenter_(std::move(presenter)), start_(std::move(start)), request_(start_)
 {
-    find_things(request_);
+    find_assets();
 }
 
-void Session::touch(std::uint64_t input)
+void Session::note_input(std::uint64_t input)
 {
     input_ = std::max(input_, input);
-    last_input_ = Clock::now();
-    begin_anew();
+    input_time_ = Clock::now();
+    request_view();
 }
 
-// Another picture is wanted: what belongs to the old one goes.
-void Session::begin_anew()
+void Session::request_view()
 {
-    ++serial_;
+    draw_state_.request_view();
     drawn_ = {};
     trace_.reset();
 }
@@ -59,7 +51,7 @@ void Session::change(std::uint64_t input, const Change& change)
     change(changed, world());
     request_ = std::move(changed);
     error_.clear();
-    touch(input);
+    note_input(input);
 }
 
 void Session::reset(std::uint64_t input)
@@ -70,15 +62,15 @@ void Session::reset(std::uint64_t input)
     request_.asked.environment = old.asked.environment;
     request_.asked.settings.width = old.asked.settings.width;
     request_.asked.settings.height = old.asked.settings.height;
-    play_from(std::nullopt);
+    set_playing(std::nullopt);
     if (request_.asked.scene != start_.asked.scene) {
-        request_.eye = first_eye(request_.asked.scene);
+        request_.eye = default_camera(request_.asked.scene);
         request_.asked.animation.clear();
     }
     forget_lost_animation();
     error_.clear();
-    announce_ = true;
-    touch(input);
+    has_news_ = true;
+    note_input(input);
 }
 
 void Session::animate(std::uint64_t input, double number)
@@ -86,50 +78,50 @@ void Session::animate(std::uint64_t input, double number)
     const std::lock_guard lock(mutex_);
     if (model_)
         viewer::animate(request_, model_->scene().animations, number);
-    play_from(std::nullopt);
-    announce_ = true;
-    touch(input);
+    set_playing(std::nullopt);
+    has_news_ = true;
+    note_input(input);
 }
 
 void Session::seek(std::uint64_t input, double seconds)
 {
     const std::lock_guard lock(mutex_);
     request_.moment = std::isfinite(seconds) ? std::clamp(seconds, 0.0, duration()) : 0.0;
-    if (playing_)
-        playing_ = Clock::now();
-    touch(input);
+    if (playing_since_)
+        playing_since_ = Clock::now();
+    note_input(input);
 }
 
 void Session::play(std::uint64_t input, bool on)
 {
     const std::lock_guard lock(mutex_);
-    play_from(std::nullopt);
-    announce_ = true;
-    touch(input);
+    set_playing(std::nullopt);
+    has_news_ = true;
+    note_input(input);
     if (!on || !model_ || model_->scene().animations.empty())
         return;
     if (request_.asked.animation.empty())
         viewer::animate(request_, model_->scene().animations, 0);
-    play_from(Clock::now());
+    set_playing(Clock::now());
 }
 
-void Session::play_from(const std::optional<Clock::time_point>& now)
+void Session::set_playing(const std::optional<Clock::time_point>& now)
 {
-    playing_ = now;
-    moves_ = now && duration() > 0.0;
+    playing_since_ = now;
+    draw_state_.set_animated(now && duration() > 0.0);
 }
 
-// A file that was loaded again may have others.
+// A file that was loaded again may no longer have the chosen animation.
 void Session::forget_lost_animation()
 {
     if (!model_ || request_.asked.animation.empty() ||
         animation_of(request_, model_->scene().animations) >= 0)
         return;
     request_.asked.animation.clear();
-    play_from(std::nullopt);
+    set_playing(std::nullopt);
 }
 
-// Of the animation that is wished; 0 without one.
+// Of the chosen animation in seconds; 0 without one.
 double Session::duration() const
 {
     if (!model_)
@@ -139,38 +131,41 @@ double Session::duration() const
     return number < 0 ? 0.0 : animations[static_cast<std::size_t>(number)].seconds;
 }
 
-// The request is that of the moment: whoever looks late sees fewer of them.
-void Session::go_on_playing(Clock::time_point now, Clock::time_point& wake)
+// Sets the request to the present moment of the animation: slow drawing shows fewer frames, at the same speed.
+void Session::advance_animation(Clock::time_point now, Clock::time_point& wake)
 {
-    if (!playing_)
+    if (!playing_since_)
         return;
     const double seconds = duration();
-    if (!(seconds > 0.0) || in_flight_ >= most_in_flight)
+    if (!(seconds > 0.0) || !draw_state_.can_show_more())
         return;
-    wake = std::min(wake, *playing_ + least_step);
-    if (now - *playing_ < least_step)
+    wake = std::min(wake, *playing_since_ + least_step);
+    if (now - *playing_since_ < least_step)
         return;
     request_.moment =
-        std::fmod(request_.moment + std::chrono::duration<double>(now - *playing_).count(), seconds);
-    playing_ = now;
+        std::fmod(request_.moment + std::chrono::duration<double>(now - *playing_since_).count(), seconds);
+    playing_since_ = now;
     wake = now + least_step;
-    touch(0);
+    note_input(0);
+}
+
+void Session::open(Opening opening)
+{
+    opening_ = std::move(opening);
+    has_news_ = true;
+    error_.clear();
 }
 
 void Session::open_scene(const std::string& name, std::uint64_t input)
 {
     const std::lock_guard lock(mutex_);
-    opening_ = {true, name, input};
-    announce_ = true;
-    error_.clear();
+    open({true, name, input});
 }
 
 void Session::open_environment(const std::string& name, std::uint64_t input)
 {
     const std::lock_guard lock(mutex_);
-    opening_ = {false, name, input};
-    announce_ = true;
-    error_.clear();
+    open({false, name, input});
 }
 
 bool Session::is_opening() const
@@ -182,112 +177,27 @@ bool Session::is_opening() const
 void Session::focus(double x, double y, std::uint64_t input)
 {
     const std::lock_guard lock(mutex_);
-    place_ = {std::clamp(x, 0.0, 1.0), std::clamp(y, 0.0, 1.0)};
-    place_input_ = input;
+    pick_place_ = {std::clamp(x, 0.0, 1.0), std::clamp(y, 0.0, 1.0)};
+    pick_input_ = input;
 }
 
 void Session::save(const std::string& kind)
 {
     const std::lock_guard lock(mutex_);
     if (kind != "png" && kind != "jpg")
-        throw Error(Failure::usage, text("save: '", kind.substr(0, 20), "' is none of png, jpg"));
-    if (unsaved_ >= most_saves || !save_kind_.empty())
-        throw Error(Failure::usage, "save: a picture is being saved already");
+        throw Error(Failure::usage, text("save: '", kind.substr(0, 20), "' is neither png nor jpg"));
+    if (draw_state_.unsaved() >= most_saves || !save_kind_.empty())
+        throw Error(Failure::usage, "save: another picture is still being saved");
     save_kind_ = kind;
-    ++unsaved_;
-    if (find_things(request_))
-        plan_asked_save();
-}
-
-void Session::seen()
-{
-    int flying = in_flight_;
-    while (flying > 0 && !in_flight_.compare_exchange_weak(flying, flying - 1)) {
-    }
-}
-
-void Session::close()
-{
-    closed_ = true;
-}
-
-bool Session::is_hungry() const
-{
-    return !closed_ && has_things_ && (moves_ || serial_ != drawn_serial_) && in_flight_ < most_in_flight;
+    draw_state_.save_requested();
+    if (find_assets())
+        plan_requested_save();
 }
 
 void Session::set_error(const std::string& line)
 {
-    announce_ = announce_ || line != error_;
+    has_news_ = has_news_ || line != error_;
     error_ = line;
-}
-
-std::string Session::state() const
-{
-    const std::lock_guard lock(mutex_);
-    return state_now();
-}
-
-Playing Session::playing() const
-{
-    const std::lock_guard lock(mutex_);
-    return playing_now();
-}
-
-Playing Session::playing_now() const
-{
-    if (!model_)
-        return {};
-    const std::vector<scene::AnimationInfo>& all = model_->scene().animations;
-    const auto end = all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), most_animations));
-    const int number = animation_of(request_, all);
-    return {{all.begin(), end},
-            number,
-            number < 0 ? scene::AnimationInfo{"none", 0.0} : all[static_cast<std::size_t>(number)],
-            request_.moment,
-            playing_.has_value()};
-}
-
-std::string Session::state_now() const
-{
-    const Playing playing = playing_now();
-    nlohmann::ordered_json state = {{"type", "state"},
-                                    {"scene", request_.asked.scene},
-                                    {"environment", request_.asked.environment},
-                                    {"values", to_json(request_.asked)},
-                                    {"lights", request_.asked.light_words},
-                                    {"command", command_of(request_, "picture.png")},
-                                    {"animation", playing.number},
-                                    {"seconds", playing.now.seconds},
-                                    {"moment", playing.moment},
-                                    {"playing", playing.on},
-                                    {"width", request_.asked.settings.width},
-                                    {"height", request_.asked.settings.height},
-                                    {"loading", pending_ || !opening_.name.empty()},
-                                    {"error", !error_.empty() ? error_ : file_error_}};
-    state["animations"] = nlohmann::ordered_json::array();
-    for (const scene::AnimationInfo& animation : playing.animations)
-        state["animations"].push_back(
-            {{"name", one_line(animation.name).substr(0, 100)}, {"seconds", animation.seconds}});
-    state["warnings"] = nlohmann::ordered_json::array();
-    if (model_)
-        for (const std::string& warning : model_->warnings())
-            if (state["warnings"].size() < 8)
-                state["warnings"].push_back(one_line(warning).substr(0, 300));
-    // File names need not be UTF-8.
-    return state.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
-ViewRequest Session::request() const
-{
-    const std::lock_guard lock(mutex_);
-    return request_;
-}
-
-double Session::scale() const
-{
-    const std::lock_guard lock(mutex_);
-    return pace_.scale();
 }
 
 } // namespace lambent::viewer

@@ -1,4 +1,4 @@
-// What a viewer is shown.
+// Pictures for a viewer, and the interface that takes them.
 #pragma once
 
 #include "image/image.h"
@@ -11,24 +11,27 @@
 namespace lambent::viewer {
 
 struct ShownPicture {
-    /// While something moves; whole but with fewer samples; what the command draws; the reference, or the difference to it.
+    /// Reduced, while the view moves; whole with few samples; as the command draws it; the reference or the difference
+    /// to it.
     enum class Kind { moving, still, rest, traced };
     Kind kind = Kind::moving;
     image::CodeImage codes;
-    int width = 0, height = 0; ///< as wished; `codes` may be smaller
-    double scale = 1.0;        ///< of `codes`' sides
+    int width = 0, height = 0; ///< as requested; `codes` may be smaller
+    double scale = 1.0;        ///< of the width and height of `codes`
     double draw_ms = 0.0;
-    std::uint64_t input = 0; ///< the last input that it shows
-    bool is_last = false;    ///< nothing better follows
-    double moment = 0.0;     ///< of the animation, seconds
+    std::uint64_t input = 0; ///< the last input that was taken into account
+    bool is_last = false;    ///< no better picture follows
+    double moment = 0.0;     ///< time of the animation, seconds
 
-    /// Of Kind::traced.
+    /// Set for Kind::traced.
     struct Traced {
         double samples = 0.0; ///< per pixel
-        std::optional<double>
-            noise; ///< relative RMSE that is expected where surfaces are, light cut at 1 after exposure, once known
-        double error = 0.0; ///< relative RMSE of the drawn picture, both exposed and cut at 1; noise included
-        std::optional<double> flip; ///< mean FLIP of the drawn picture as displayed, where that is shown
+        /// Estimated relative RMSE of the pixels that show surfaces, exposed and clamped to 1; unset until it is known.
+        std::optional<double> noise;
+        /// Relative RMSE of the drawn picture, both exposed and clamped to 1; contains the noise.
+        double error = 0.0;
+        /// Mean FLIP of the drawn picture as displayed; set where the FLIP map is shown.
+        std::optional<double> flip;
     };
     std::optional<Traced> traced;
 };
@@ -40,22 +43,22 @@ constexpr const char* name_of(ShownPicture::Kind kind)
     return names[static_cast<int>(kind)];
 }
 
-/// A picture as a file.
+/// A picture encoded as a file.
 struct Saved {
-    std::string name; ///< picture.png
+    std::string name; ///< "picture.png" or "picture.jpg"
     std::vector<std::uint8_t> bytes;
     std::string command; ///< that writes the same bytes
 };
 
-/// Takes what a session shows: all calls come from the drawing thread, which waits meanwhile.
+/// Takes the output of a session. The drawing thread makes all calls, and waits until they return.
 class Presenter {
 public:
     virtual ~Presenter() = default;
 
-    /// At most Session::most_in_flight are shown before the session is told that one was seen.
+    /// At most Session::most_in_flight pictures are shown before Session::seen() is called.
     virtual void show(ShownPicture picture) = 0;
 
-    /// What is set, as Session::state, after it changed.
+    /// Takes Session::state() after it changed.
     virtual void say(const std::string& state) = 0;
 
     virtual void save(Saved saved) = 0;

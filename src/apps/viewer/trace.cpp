@@ -12,7 +12,7 @@
 namespace lambent::viewer {
 namespace {
 
-// Codes as compare takes them.
+// The codes as numbers from 0 to 1, three channels.
 image::RadianceImage as_values(const image::CodeImage& codes)
 {
     const auto channels = static_cast<std::size_t>(codes.channels);
@@ -53,7 +53,7 @@ ShownPicture Trace::picture() const
     picture.traced = ShownPicture::Traced{result.samples, std::nullopt, 0.0, std::nullopt};
     if (result.noise)
         picture.traced->noise = result.noise->covered;
-    // Both as far as a display shows them: one lamp in sight would outweigh everything else.
+    // Both are clamped as a display does: a visible light source would otherwise dominate the error.
     image::RadianceImage drawn = drawn_, traced = result.radiance;
     for (image::RadianceImage* image : {&drawn, &traced}) {
         compare::expose(*image, task_.arguments.display.exposure);

@@ -1,4 +1,4 @@
-// A drawn picture beside what it should have been: the reference, traced bit by bit, and the difference.
+// The reference for a drawn picture, traced in steps, and the difference between the two.
 #pragma once
 
 #include "apps/viewer/shown_picture.h"
@@ -10,28 +10,28 @@
 
 namespace lambent::viewer {
 
-/// What is compared, and how it is shown.
+/// A picture to compare, and how the comparison is shown.
 struct TraceTask {
     cli::RenderArguments arguments; ///< of the drawn picture, with its camera
-    bool shows_error = false;       ///< FLIP, pixel by pixel, instead of the reference
+    bool shows_error = false;       ///< shows the FLIP map instead of the reference
     std::shared_ptr<Model> model;
     std::shared_ptr<const RawEnvironment> environment;
 };
 
-/// Of the drawing thread alone.
+/// Used by the drawing thread alone.
 class Trace {
 public:
-    /// `drawn`: the picture's light.
+    /// `drawn`: the radiance of the picture.
     Trace(TraceTask task, image::RadianceImage drawn);
 
-    /// Traces on, as reference::Tracing::advance; whether that is the end: the limits are `lambent reference`'s usual ones.
-    /// Throws as that.
+    /// Continues as reference::Tracing::advance, which also says what is thrown. Returns whether the default limits of
+    /// `lambent reference` are reached.
     bool advance(const reference::GoOn& go_on);
 
-    /// Whether there is anything to see.
+    /// Whether picture() may be called.
     bool has_picture() const { return tracing_ && tracing_->has_picture(); }
 
-    /// What there is to see, with its numbers. The rest of the picture is left to the caller.
+    /// The present picture with Kind::traced's numbers; the caller sets the other members.
     ShownPicture picture() const;
 
 private:
@@ -39,7 +39,7 @@ private:
 
     TraceTask task_;
     image::RadianceImage drawn_;
-    std::shared_ptr<const scene::Scene> scene_; ///< that is traced
+    std::shared_ptr<const scene::Scene> scene_; ///< used by tracing_
     std::optional<reference::Tracing> tracing_;
     bool finished_ = false;
 };

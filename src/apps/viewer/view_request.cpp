@@ -19,13 +19,13 @@ namespace {
 
 constexpr double degrees = 180.0 / std::numbers::pi;
 
-// A file whose name looks like an option is none.
+// Keeps a file name that begins with a dash from being read as an option.
 std::string as_file(const std::string& name)
 {
     return name.starts_with('-') ? text("./", name) : name;
 }
 
-// The word of --camera, with the point that --target names.
+// The camera of the word of --camera and the point of --target.
 OrbitCamera eye_of(const std::string& word, const std::optional<glm::dvec3>& target)
 {
     const std::vector<double> numbers = cli::parse_list(word, {2, 3}, "--camera");
@@ -34,21 +34,16 @@ OrbitCamera eye_of(const std::string& word, const std::optional<glm::dvec3>& tar
     return {numbers[0], numbers[1], numbers[2], target};
 }
 
-// Within what its control can be set to, and in as many digits.
+// Sets an option, within the range of its control and rounded as by it if it has one.
 void set_option(cli::RenderArguments& asked, const Parameter& row, const std::string& word)
 {
     const cli::Option& option = row.option;
     row.value.set(asked, option, word);
-    if (option.control.label.empty())
-        return;
-    try {
+    if (!option.control.label.empty())
         set_value(asked, option.name, row.value.get(asked, option));
-    } catch (const Error& error) {
-        throw Error(Failure::usage, text("--", error.what())); // it begins with the name
-    }
 }
 
-// The command's options behind those of the camera.
+// The options of the command that follow those of the camera, in order.
 std::vector<cli::OptionWord> words_behind_camera(const cli::RenderArguments& arguments)
 {
     std::vector<cli::OptionWord> words = cli::words_of(arguments, cli::command::render);
@@ -57,7 +52,7 @@ std::vector<cli::OptionWord> words_behind_camera(const cli::RenderArguments& arg
     return words;
 }
 
-// Without what says nothing of this scene and model, but with the camera.
+// The options with the camera, without those that have no effect on this scene and model.
 cli::RenderArguments effective(const ViewRequest& request)
 {
     cli::RenderArguments arguments = request.asked;
@@ -78,32 +73,32 @@ cli::RenderArguments effective(const ViewRequest& request)
 
 } // namespace
 
-OrbitCamera first_eye(const std::string& scene)
+OrbitCamera default_camera(const std::string& scene)
 {
     const view::Orbit orbit = cli::default_orbit(scene);
     return {static_cast<double>(orbit.azimuth) * degrees, static_cast<double>(orbit.elevation) * degrees};
 }
 
-ViewRequest plain_wish(const std::string& scene, const std::string& environment)
+ViewRequest default_request(const std::string& scene, const std::string& environment)
 {
-    ViewRequest request{{}, first_eye(scene)};
+    ViewRequest request{{}, default_camera(scene)};
     request.asked.scene = scene;
     request.asked.environment = environment;
     return request;
 }
 
-ViewRequest first_wish(const cli::StartArguments& start)
+ViewRequest starting_request(const cli::StartArguments& start)
 {
     const cli::RenderArguments& picture = start.picture;
-    ViewRequest request = plain_wish(picture.scene, picture.environment);
+    ViewRequest request = default_request(picture.scene, picture.environment);
     if (picture.light_words.size() > most_lights)
-        throw Error(Failure::usage,
-                    text("--light: ", picture.light_words.size(), " are more than a viewer's ", most_lights));
+        throw Error(Failure::usage, text("--light: ", picture.light_words.size(),
+                                         " lights, but a viewer has at most ", most_lights));
     set_size(request, picture.settings.width, picture.settings.height);
     if (start.given("camera"))
         request.eye = eye_of(start.given.words("camera").back(), picture.target);
     cli::for_each_row<cli::RenderArguments>(cli::command::render, [&](const Parameter& row) {
-        // load_first knows which animations there are.
+        // Options of animations are left to load_first, as the scene is not loaded yet.
         if (row.option.place > 0 && row.option.needs != cli::Needs::file)
             for (const std::string& word : start.given.words(row.option.name))
                 set_option(request.asked, row, word);
@@ -121,7 +116,7 @@ void look_through(ViewRequest& request, const scene::Scene& scene, const std::st
     const scene::Bounds bounds = scene::framed_bounds(scene);
     const double far_enough = 1e-3 * radius_of(bounds);
     double distance = std::max(glm::dot(position - middle_of(bounds), back), far_enough);
-    // What the camera is to show at least is seen where the picture is narrower, too.
+    // A picture narrower than the camera's aspect ratio shows the camera's whole width.
     const double wider = std::max(static_cast<double>(found.aspect) * request.asked.settings.height /
                                       request.asked.settings.width,
                                   1.0);
@@ -140,7 +135,8 @@ void look_through(ViewRequest& request, const scene::Scene& scene, const std::st
 void set_lights(ViewRequest& request, const std::vector<std::string>& lights)
 {
     if (lights.size() > most_lights)
-        throw Error(Failure::usage, text("lights: ", lights.size(), " are more than ", most_lights));
+        throw Error(Failure::usage,
+                    text("lights: ", lights.size(), " lights, but at most ", most_lights, " are possible"));
     for (const std::string& light : lights)
         cli::parse_light(light, "light");
     cli::Given given;
@@ -160,7 +156,7 @@ void animate(ViewRequest& request, const std::vector<scene::AnimationInfo>& anim
     request.asked.animation.clear();
     if (number < 0.0)
         return;
-    // By its name, unless that cannot be typed, or is another's name or number, too.
+    // By its name, unless that has control characters or also is the name or number of another animation.
     const auto index = static_cast<std::size_t>(number);
     const std::string& name = animations[index].name;
     if (std::none_of(name.begin(), name.end(),

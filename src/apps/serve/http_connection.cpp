@@ -1,4 +1,4 @@
-#include "apps/serve/http_visit.h"
+#include "apps/serve/http_connection.h"
 
 #include "apps/serve/page.h"
 #include "apps/serve/web_viewer.h"
@@ -20,7 +20,7 @@ namespace beast = boost::beast;
 namespace http = beast::http;
 using asio::ip::tcp;
 
-// Whoever was answered gets as long to read it and hang up.
+// How long a client has to read its answer and close the connection.
 constexpr std::chrono::seconds leave_time{1};
 
 std::string_view view(beast::string_view text)
@@ -28,18 +28,18 @@ std::string_view view(beast::string_view text)
     return {text.data(), text.size()};
 }
 
-class Visit : public std::enable_shared_from_this<Visit> {
+class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 public:
-    Visit(std::shared_ptr<House> house, tcp::socket socket)
-        : house_(std::move(house)), stream_(std::move(socket)), seat_(house_->connections)
+    HttpConnection(std::shared_ptr<ServerState> server, tcp::socket socket)
+        : server_(std::move(server)), stream_(std::move(socket)), seat_(server_->connections)
     {
-        parser_.header_limit(static_cast<std::uint32_t>(house_->options.limits.header_bytes));
+        parser_.header_limit(static_cast<std::uint32_t>(server_->options.limits.header_bytes));
         parser_.body_limit(0);
     }
 
     void read()
     {
-        stream_.expires_after(std::chrono::seconds(house_->options.limits.request_seconds));
+        stream_.expires_after(std::chrono::seconds(server_->options.limits.request_seconds));
         http::async_read(
             stream_, buffer_, parser_,
             [self = shared_from_this()](beast::error_code error, std::size_t) { self->got(error); });
@@ -56,21 +56,22 @@ private:
         if (error == http::error::header_limit)
             return refuse(http::status::request_header_fields_too_large, "the request's header is too large");
         if (error == http::error::body_limit)
-            return refuse(http::status::payload_too_large, "requests have no body here");
+            return refuse(http::status::payload_too_large, "requests with a body are not accepted");
         if (error == beast::error::timeout || error == http::error::end_of_stream)
-            return; // gone: the stream closes itself
+            return; // the client has gone; the stream closes itself
         if (error)
             return error.category() == http::make_error_code(http::error::bad_method).category()
-                       ? refuse(http::status::bad_request, text("no request of HTTP: ", error.message()))
+                       ? refuse(http::status::bad_request,
+                                text("not a valid HTTP request: ", error.message()))
                        : void();
         const http::request<http::empty_body>& request = parser_.get();
         const Refusal refusal =
-            house_->gate.check({view(request[http::field::host]), view(request[http::field::origin]),
-                                view(request[http::field::authorization]), view(request.target())});
+            server_->gate.check({view(request[http::field::host]), view(request[http::field::origin]),
+                                 view(request[http::field::authorization]), view(request.target())});
         if (refusal.status != 0)
             return refuse(http::int_to_status(refusal.status), refusal.reason);
         if (request.method() != http::verb::get)
-            return refuse(http::status::method_not_allowed, "only GET is understood");
+            return refuse(http::status::method_not_allowed, "only GET is supported");
         route(view(path_of(view(request.target()))));
     }
 
@@ -81,16 +82,16 @@ private:
     {
         const bool upgrade = beast::websocket::is_upgrade(parser_.get());
         if (path == "/socket" && upgrade) {
-            if (house_->sessions >= house_->options.limits.sessions)
+            if (server_->sessions >= server_->options.limits.sessions)
                 return refuse(http::status::service_unavailable,
-                              text("all ", house_->options.limits.sessions, " places are taken"));
-            start_viewer(house_, std::move(stream_), parser_.release(), std::move(seat_));
+                              text("the limit of ", server_->options.limits.sessions, " viewers is reached"));
+            start_viewer(server_, std::move(stream_), parser_.release(), std::move(seat_));
         } else if (path == "/socket") {
-            refuse(http::status::upgrade_required, "this is for WebSocket");
+            refuse(http::status::upgrade_required, "/socket is for WebSocket connections only");
         } else if (path == "/") {
             answer(http::status::ok, "text/html; charset=utf-8", std::string(page_html));
         } else {
-            refuse(http::status::not_found, "there is nothing of this name");
+            refuse(http::status::not_found, "nothing is served at this path");
         }
     }
 
@@ -113,7 +114,7 @@ private:
         response_->keep_alive(false);
         response_->body() = std::move(body);
         response_->prepare_payload();
-        stream_.expires_after(std::chrono::seconds(house_->options.limits.request_seconds));
+        stream_.expires_after(std::chrono::seconds(server_->options.limits.request_seconds));
         http::async_write(stream_, *response_,
                           [self = shared_from_this()](beast::error_code error, std::size_t) {
                               if (!error)
@@ -121,7 +122,8 @@ private:
                           });
     }
 
-    // What is still under way from the other side is read: to hang up before would take the answer away.
+    // Reads and discards what the client still sends: closing with unread data would reset the connection and could
+    // lose the answer.
     void leave()
     {
         beast::error_code error;
@@ -132,7 +134,7 @@ private:
 
     void drain()
     {
-        // The deadline stands: whoever goes on sending is not waited for.
+        // The deadline is not extended, so that a client that keeps sending is cut off.
         stream_.async_read_some(asio::buffer(rest_),
                                 [self = shared_from_this()](beast::error_code error, std::size_t) {
                                     if (!error)
@@ -140,9 +142,9 @@ private:
                                 });
     }
 
-    std::shared_ptr<House> house_;
+    std::shared_ptr<ServerState> server_;
     beast::tcp_stream stream_;
-    Seat<int> seat_;
+    Counted<int> seat_;
     beast::flat_buffer buffer_{64 << 10};
     http::request_parser<http::empty_body> parser_;
     std::optional<http::response<http::string_body>> response_;
@@ -151,18 +153,18 @@ private:
 
 } // namespace
 
-void visit(const std::shared_ptr<House>& house, tcp::socket socket)
+void serve_connection(const std::shared_ptr<ServerState>& server, tcp::socket socket)
 {
-    // Of those who are turned away only so many are even told.
-    const int most = house->options.limits.connections;
-    if (house->connections >= 2 * most)
+    // Beyond twice the limit connections are closed without an answer.
+    const int most = server->options.limits.connections;
+    if (server->connections >= 2 * most)
         return;
-    const bool full = house->connections >= most;
-    const auto visit = std::make_shared<Visit>(house, std::move(socket));
+    const bool full = server->connections >= most;
+    const auto connection = std::make_shared<HttpConnection>(server, std::move(socket));
     if (full)
-        visit->refuse(boost::beast::http::status::service_unavailable, "too many connections");
+        connection->refuse(boost::beast::http::status::service_unavailable, "too many connections");
     else
-        visit->read();
+        connection->read();
 }
 
 } // namespace lambent::serve

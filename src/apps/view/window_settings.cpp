@@ -1,4 +1,4 @@
-#include "apps/view/memory.h"
+#include "apps/view/window_settings.h"
 
 #include "base/error.h"
 #include "base/file.h"
@@ -31,7 +31,7 @@ void read_flag(const nlohmann::json& json, const char* name, bool& flag)
 
 } // namespace
 
-std::optional<std::filesystem::path> memory_file()
+std::optional<std::filesystem::path> settings_file()
 {
     const std::filesystem::path name = "lambent/view.json";
     if (const char* folder = std::getenv("XDG_CONFIG_HOME"); folder && folder[0] == '/')
@@ -41,65 +41,65 @@ std::optional<std::filesystem::path> memory_file()
     return std::nullopt;
 }
 
-Memory read_memory(const std::string& json, std::string& complaint)
+WindowSettings read_settings(const std::string& json, std::string& complaint)
 {
-    Memory memory;
+    WindowSettings settings;
     const nlohmann::json parsed = nlohmann::json::parse(json, nullptr, false);
     if (!parsed.is_object() || parsed.value("version", nlohmann::json()) != version) {
-        complaint = "what the window remembered cannot be read: it starts as usual";
-        return memory;
+        complaint = "the saved window settings cannot be read: the window starts with the defaults";
+        return settings;
     }
     const std::optional<int> width = number(parsed, "width", least_side),
                              height = number(parsed, "height", least_side);
     if (width && height)
-        memory.place = {*width, *height, {}, false};
+        settings.place = {*width, *height, {}, false};
     const std::optional<int> x = number(parsed, "x", -most_side), y = number(parsed, "y", -most_side);
     if (x && y)
-        memory.place.corner = {*x, *y};
-    read_flag(parsed, "maximised", memory.place.maximised);
-    read_flag(parsed, "panel", memory.panel);
-    return memory;
+        settings.place.corner = {*x, *y};
+    read_flag(parsed, "maximised", settings.place.maximised);
+    read_flag(parsed, "panel", settings.panel);
+    return settings;
 }
 
-std::string write_memory(const Memory& memory)
+std::string write_settings(const WindowSettings& settings)
 {
     nlohmann::ordered_json json = {
-        {"version", version}, {"width", memory.place.width}, {"height", memory.place.height}};
-    if (memory.place.corner) {
-        json["x"] = memory.place.corner->x;
-        json["y"] = memory.place.corner->y;
+        {"version", version}, {"width", settings.place.width}, {"height", settings.place.height}};
+    if (settings.place.corner) {
+        json["x"] = settings.place.corner->x;
+        json["y"] = settings.place.corner->y;
     }
-    json["maximised"] = memory.place.maximised;
-    json["panel"] = memory.panel;
+    json["maximised"] = settings.place.maximised;
+    json["panel"] = settings.panel;
     return text(json.dump(2), "\n");
 }
 
-Memory load_memory(std::string& complaint)
+WindowSettings load_settings(std::string& complaint)
 {
-    const std::optional<std::filesystem::path> file = memory_file();
+    const std::optional<std::filesystem::path> file = settings_file();
     std::error_code ignored;
     if (!file || !std::filesystem::exists(*file, ignored))
         return {};
     try {
         const auto bytes = read_file(*file, most_bytes);
-        Memory memory = read_memory(std::string(bytes.begin(), bytes.end()), complaint);
+        WindowSettings settings = read_settings(std::string(bytes.begin(), bytes.end()), complaint);
         if (!complaint.empty())
             complaint = text(file->string(), ": ", complaint);
-        return memory;
+        return settings;
     } catch (const Error& error) {
         complaint = error.what();
         return {};
     }
 }
 
-void keep_memory(const Memory& memory)
+void save_settings(const WindowSettings& settings)
 {
-    const std::optional<std::filesystem::path> file = memory_file();
+    const std::optional<std::filesystem::path> file = settings_file();
     if (!file)
         return;
     try {
         std::filesystem::create_directories(file->parent_path());
-        const std::string json = write_memory(memory);
+        const std::string json = write_settings(settings);
         write_file(*file, {reinterpret_cast<const std::uint8_t*>(json.data()), json.size()});
     } catch (const std::exception&) {
     }
