@@ -54,11 +54,13 @@ struct Plot {
     std::vector<Curve> curves;
 };
 
+using FigureBody = std::variant<Gallery, Matrix, Comparison, Table, Plot>;
+
 struct Figure {
     std::string id; ///< of the page, in lower case with dashes
     std::string title;
     std::string caption; ///< plain text
-    std::variant<Gallery, Matrix, Comparison, Table, Plot> content;
+    FigureBody content;
 };
 
 struct Section {

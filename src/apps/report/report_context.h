@@ -1,6 +1,7 @@
-// What the sections of the page are written with.
+// What the figures of the page are made with.
 #pragma once
 
+#include "apps/report/content/content.h"
 #include "apps/report/shot_renderer.h"
 
 #include <string>
@@ -16,6 +17,7 @@ struct Entry {
 };
 
 struct ReportContext {
+    const Content& content;
     ShotRenderer& renderer;
     bool references = true; ///< without them no errors
     std::vector<Entry> entries;
@@ -24,28 +26,25 @@ struct ReportContext {
     PagePicture proven(const Shot& shot, const std::string& figure);
 };
 
-/// The sections, in the order of the page. Later ones use what earlier ones have drawn.
-Section gallery(ReportContext& context);
-Section own_pipeline(ReportContext& context);
-Section direct_light(ReportContext& context);
-Section diffuse_light(ReportContext& context);
-Section background(ReportContext& context);
-Section specular_light(ReportContext& context);
-Section passes(ReportContext& context);
-Section beyond(ReportContext& context);
-Section making(const ReportContext& context);
+/// Everything that a figure's patterns may name: Content::values, and {scaled_exposure} where the values have
+/// {texel_scale}, {texel_power} and {exposure}: the exposure by a pipeline that raises texels to a power, of texels
+/// taken that many times as bright. A factor on the exposure does it, for a power of a product is the product of
+/// powers.
+Values values_of(const Content& content, const FigureData& figure, const Values& own);
+
+/// The figure's shot of values. Throws std::logic_error where the figure has none or a placeholder no value.
+Shot shot_of(const Content& content, const FigureData& figure, const Values& own);
+
+/// The same shot as its method draws it with as many samples as can matter.
+Shot limit_of(const Content& content, const FigureData& figure, const Values& own);
 
 /// The mean of what surfaces send towards the viewer, over all pixels and colours of them.
 double mean_on_surfaces(const image::RadianceImage& light);
 
-/// Rows as columns: pictures that are to be compared stand side by side, and as large as few columns leave them.
-Matrix transposed(const Matrix& matrix);
+/// How saturated a shot's colours are, as displayed: 0 to 1.
+double saturation(ShotRenderer& renderer, const Shot& shot);
 
-/// The report's figures of direct light: three of a sphere at exponent 0.1, a teapot at 20000, a plane at 20.
-std::vector<Shot> direct_shots();
-
-/// The report's reflecting sphere on its ground, at an exponent; `levels` is the --mip-level.
-Shot reflecting(int exponent, const std::string& levels);
-constexpr int reflecting_exponents[] = {1, 625, 15625, 390625};
+/// RMS of the difference of two shots' codes, relative to the largest code.
+double code_difference(ShotRenderer& renderer, const Shot& a, const Shot& b);
 
 } // namespace lambent::report

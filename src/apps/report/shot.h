@@ -1,7 +1,8 @@
-// One picture of the page, named by the command that draws it.
+// The words of a shot's command, and numbers as the page shows them.
 #pragma once
 
 #include "apps/options/arguments.h"
+#include "apps/report/content/figure_data.h"
 
 #include <optional>
 #include <string>
@@ -10,14 +11,6 @@
 namespace lambent::report {
 
 using Words = std::vector<std::string>;
-
-struct Shot {
-    std::string name;  ///< of its file, without ".png"; or with ".jpg"
-    std::string words; ///< of `lambent render` between that and -o, apart by spaces: "sphere --model phong"
-    std::string title; ///< as PagePicture's
-    std::string alt;   ///< as PagePicture's
-    bool lit = true;   ///< by the report's environment; else by none
-};
 
 /// A command as it is typed: words with anything special in them in quotes.
 std::string typed(const Words& words);

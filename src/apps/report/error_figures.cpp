@@ -1,0 +1,97 @@
+#include "apps/report/error_figures.h"
+
+#include "base/text.h"
+#include "compare/brightness_fit.h"
+#include "compare/difference.h"
+
+#include <algorithm>
+
+namespace lambent::report {
+namespace {
+
+// The whole-sphere mean of what a white specular surface reflects of a white environment, exactly: 1 if none is lost.
+double kept_energy(ReportContext& context, const FigureData& figure, const Values& values)
+{
+    const Shot white = shot_of(context.content, figure, values);
+    return mean_on_surfaces(context.renderer.reference(white).radiance);
+}
+
+Curve convergence(ShotRenderer& renderer, const std::string& name, const Shot& shot,
+                  const std::vector<std::string>& numbers)
+{
+    Curve curve{name, {}, {}};
+    const image::RadianceImage exact = cut_light(renderer.reference(shot).radiance);
+    const std::optional<double> noise = cut_noise(renderer.reference(shot));
+    for (const std::string& samples : numbers) {
+        Shot sampled = shot;
+        sampled.words += text(" --samples ", samples);
+        const image::RadianceImage drawn = cut_light(renderer.frame(sampled).radiance);
+        const double error = compare::difference({drawn, exact}, light_cut).relative_rmse;
+        curve.x.push_back(std::stod(samples));
+        curve.y.push_back(std::max(1e-3, without_noise(error, noise)));
+    }
+    return curve;
+}
+
+} // namespace
+
+FigureBody error_table(ReportContext& context, const FigureData& figure)
+{
+    Table table{figure.titles, {}};
+    for (const Entry& entry : context.entries)
+        table.rows.push_back({entry.figure, percent(entry.proof.error), noise_text(entry.proof.noise),
+                              percent(without_noise(entry.proof.error, entry.proof.noise)),
+                              rounded(entry.proof.flip)});
+    return table;
+}
+
+FigureBody heat_maps(ReportContext& context, const FigureData&)
+{
+    Gallery gallery;
+    for (const Entry& entry : context.entries) {
+        PagePicture picture = entry.proof.heat;
+        picture.title = entry.figure;
+        picture.numbers = {{context.content.label("error"), percent(entry.proof.error)},
+                           {context.content.label("flip"), rounded(entry.proof.flip)}};
+        gallery.pictures.push_back(std::move(picture));
+    }
+    return gallery;
+}
+
+FigureBody approximation_costs(ReportContext& context, const FigureData& figure)
+{
+    ShotRenderer& renderer = context.renderer;
+    const FigureData& spheres = context.content.figure(figure.shots_of.at(0));
+    Table table{figure.titles, {}};
+    for (const std::string& exponent : figure.rows.values) {
+        const Values at_levels[] = {{{"exponent", exponent}, {"levels", "report"}},
+                                    {{"exponent", exponent}, {"levels", "matched"}}};
+        const Shot report = shot_of(context.content, spheres, at_levels[0]),
+                   matched = shot_of(context.content, spheres, at_levels[1]),
+                   limit = limit_of(context.content, spheres, at_levels[1]);
+        const std::optional<double> noise = cut_noise(renderer.reference(matched));
+        const image::RadianceImage exact = cut_light(renderer.reference(matched).radiance),
+                                   converged = cut_light(renderer.frame(limit).radiance);
+        const auto error = [&](const Shot& shot) {
+            return compare::brightness_fit({cut_light(renderer.frame(shot).radiance), converged}).error;
+        };
+        const compare::BrightnessFit lobe = compare::brightness_fit({converged, exact});
+        table.rows.push_back({exponent, percent(error(report)), percent(error(matched)),
+                              percent(without_noise(lobe.error, noise)), rounded(lobe.factor),
+                              percent(without_noise(lobe.left, noise)),
+                              percent(kept_energy(context, figure, {{"exponent", exponent}}))});
+    }
+    return table;
+}
+
+FigureBody convergence_plot(ReportContext& context, const FigureData& figure)
+{
+    Plot plot{figure.titles.at(0), figure.titles.at(1), figure.alt, {}};
+    for (const PlottedCurve& curve : figure.curves) {
+        const Shot shot = shot_of(context.content, context.content.figure(curve.figure), curve.values);
+        plot.curves.push_back(convergence(context.renderer, curve.name, shot, figure.rows.values));
+    }
+    return plot;
+}
+
+} // namespace lambent::report
