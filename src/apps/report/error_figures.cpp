@@ -9,7 +9,7 @@
 namespace lambent::report {
 namespace {
 
-// The whole-sphere mean of what a white specular surface reflects of a white environment, exactly: 1 if none is lost.
+// The mean share of a white environment that a white specular sphere reflects, path-traced: 1 if none is lost.
 double kept_energy(ReportContext& context, const FigureData& figure, const Values& values)
 {
     const Shot white = shot_of(context.content, figure, values);

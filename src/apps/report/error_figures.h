@@ -5,14 +5,13 @@
 
 namespace lambent::report {
 
-/// A row for each entry of the context, which must have come before.
+/// A row for each entry of the context. The pictures must have been drawn before.
 FigureBody error_table(ReportContext& context, const FigureData& figure);
 
-/// The heat map of each entry of the context, which must have come before.
+/// The heat map of each entry of the context. The pictures must have been drawn before.
 FigureBody heat_maps(ReportContext& context, const FigureData& figure);
 
-/// What each of the report's approximations costs, apart from the others: a row for each of the reflecting sphere's
-/// exponents.
+/// The error of each of the report's approximations on its own: a row for each exponent of the reflecting sphere.
 FigureBody approximation_costs(ReportContext& context, const FigureData& figure);
 
 /// Error without the reference's noise, by number of samples.

@@ -1,4 +1,4 @@
-// Which function makes a figure that its data alone do not.
+// The functions that make those figures for which the data alone are not enough.
 #pragma once
 
 #include "apps/report/report_context.h"

@@ -5,7 +5,7 @@
 
 namespace lambent::report {
 
-/// A picture for each layer that the figure names; "sum" is the shot itself.
+/// A picture for each layer that the figure names; the layer "sum" is the shot itself.
 FigureBody layer_pictures(ReportContext& context, const FigureData& figure);
 
 /// The largest difference between a value of the picture and the sum of its passes, relative above 1.

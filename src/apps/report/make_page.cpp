@@ -10,7 +10,7 @@
 namespace lambent::report {
 namespace {
 
-// Exposures at which linear colour is the more saturated one, and the others, as lists.
+// Lists the exposures at which linear colour is the more saturated one, and the others.
 Filling own_filling(ReportContext& context)
 {
     const FigureData& charts = context.content.figure("own-diffuse");
@@ -30,7 +30,7 @@ Filling own_filling(ReportContext& context)
          {"never_more", more.empty()}}};
 }
 
-// Whether linear colour is the more saturated one at 7 and at 70, as the report found it.
+// Tells whether linear colour is the more saturated one at 7 and at 70, as the report found.
 Filling diffuse_filling(ReportContext& context)
 {
     const FigureData& figure = context.content.figure("diffuse-exposures");
@@ -44,7 +44,7 @@ Filling diffuse_filling(ReportContext& context)
     return {{}, {{"linear_wins", more("7") && more("70")}}};
 }
 
-// Whether each exposure, the highest first, shows more light than the next.
+// Tells whether each exposure, the highest first, shows more light than the next.
 Filling background_filling(ReportContext& context)
 {
     const FigureData& figure = context.content.figure("background-exposures");
@@ -71,14 +71,14 @@ Filling making_filling(ReportContext& context)
             {{"references", context.references}}};
 }
 
-// What is put into a section's words; of other sections nothing.
+// Fillings by section. The words of other sections have no placeholders.
 const std::map<std::string, Filling (*)(ReportContext&)> fillings = {{"own", own_filling},
                                                                      {"diffuse", diffuse_filling},
                                                                      {"background", background_filling},
                                                                      {"beyond", beyond_filling},
                                                                      {"making", making_filling}};
 
-// The figures of a section, by id: those that show what was proven last.
+// The figures of a section, by id. Those that show all compared shots are made last.
 std::map<std::string, FigureBody> bodies_of(ReportContext& context, const SectionWords& words)
 {
     std::map<std::string, FigureBody> bodies;

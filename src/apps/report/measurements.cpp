@@ -18,7 +18,7 @@ std::optional<std::string> mean_luminance(ReportContext& context, const Measured
     return percent(compare::displayed_luminance(context.renderer.codes(measured.shot)));
 }
 
-// Nothing where all of it is kept.
+// Empty where the order is kept everywhere.
 std::optional<std::string> hue_order_kept(ReportContext& context, const MeasuredShot& measured)
 {
     const double kept = compare::kept_hue_order(context.renderer.codes(measured.shot),
@@ -31,7 +31,7 @@ std::optional<std::string> saturation_shown(ReportContext& context, const Measur
     return percent(saturation(context.renderer, measured.shot));
 }
 
-// From the same shot with the tone curve after the light.
+// The difference from the same shot with the tone curve after the light.
 std::optional<std::string> difference_from_light(ReportContext& context, const MeasuredShot& measured)
 {
     Values values = measured.values;
@@ -40,7 +40,7 @@ std::optional<std::string> difference_from_light(ReportContext& context, const M
     return percent(code_difference(context.renderer, measured.shot, light));
 }
 
-// Structure of a few pixels that the shot's limit does not have.
+// The structure of a few pixels' size that the converged shot does not have.
 std::optional<std::string> blockiness(ReportContext& context, const MeasuredShot& measured)
 {
     const Shot limit = limit_of(context.content, measured.figure, measured.values);
@@ -48,7 +48,7 @@ std::optional<std::string> blockiness(ReportContext& context, const MeasuredShot
                                             context.renderer.frame(limit).radiance));
 }
 
-// Of the sphere without its ground: how far it is from one flat colour.
+// The spread of luminance on the sphere drawn without its ground.
 std::optional<std::string> spread_on_sphere(ReportContext& context, const MeasuredShot& measured)
 {
     Shot alone = measured.shot;

@@ -1,4 +1,4 @@
-// The numbers under pictures, by the names that figures/*.json know them by.
+// The quantities that figures/*.json can name.
 #pragma once
 
 #include "apps/report/report_context.h"
@@ -8,7 +8,7 @@
 
 namespace lambent::report {
 
-/// A shot among those of its figure.
+/// A shot and its figure.
 struct MeasuredShot {
     const FigureData& figure;
     const Values& values; ///< of the axes
@@ -17,12 +17,12 @@ struct MeasuredShot {
 
 bool is_quantity(const std::string& name);
 
-/// The quantity as the page shows it, or nothing where there is nothing to say. Throws std::logic_error for an unknown
+/// The quantity as text for the page; empty where the page should not show it. Throws std::logic_error for an unknown
 /// quantity.
 std::optional<std::string> measured(ReportContext& context, const std::string& quantity,
                                     const MeasuredShot& shot);
 
-/// Adds each of the figure's measurements whose condition the shot fits.
+/// Adds those of the figure's measurements whose condition holds for the shot.
 void add_measurements(ReportContext& context, const MeasuredShot& shot, PagePicture& picture);
 
 } // namespace lambent::report

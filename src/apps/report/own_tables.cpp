@@ -5,7 +5,7 @@
 namespace lambent::report {
 namespace {
 
-// Other figures' shots, by their place in shots_of.
+// A shot of the figure that shots_of names at an index.
 Shot other_shot(const ReportContext& context, const FigureData& figure, std::size_t index,
                 const Values& values)
 {
@@ -51,7 +51,7 @@ FigureBody order_costs(ReportContext& context, const FigureData& figure)
         const auto other = [&](std::size_t index, const char* way) {
             return other_shot(context, figure, index, {{"way", way}, {"exposure", exposure}});
         };
-        // In nonlinear colour with the curve last.
+        // Nonlinear colour with the tone curve last.
         const Shot curve_last = shot_of(context.content, figure, {{"exposure", exposure}});
         table.rows.push_back(
             {exposure, percent(code_difference(context.renderer, other(0, "report"), other(0, "light"))),

@@ -21,10 +21,10 @@
 namespace lambent::cli {
 namespace {
 
-// Thrown where the user is found to have asked for an end.
+// Thrown when the user has interrupted the program.
 struct Stopped {};
 
-// What a page takes on two ordinary cores, in the renderer's reckoning.
+// The work of a page in seconds on two cores, by the renderer's estimates.
 constexpr double seconds_of_a_quick_page = 8.0, seconds_of_a_page = 77.0;
 
 report::ShotRendererSettings workshop_settings(const ReportArguments& arguments, const NewFolder& folder)
@@ -61,7 +61,7 @@ void write_text(const std::string& content, const std::filesystem::path& path)
 void print_stats(const ReportArguments& arguments, const report::ReportContext& context,
                  const Stopwatch& watch)
 {
-    // Without references there is none, and where one is not known neither is the largest.
+    // The largest noise is unknown without references, and where that of any reference is.
     constexpr double unknown = std::numeric_limits<double>::infinity();
     double noise = context.entries.empty() ? unknown : 0.0;
     for (const report::Entry& entry : context.entries)

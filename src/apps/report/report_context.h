@@ -1,4 +1,4 @@
-// What the figures of the page are made with.
+// The state that the functions which make figures share, and helpers for them.
 #pragma once
 
 #include "apps/report/content/content.h"
@@ -10,38 +10,38 @@
 
 namespace lambent::report {
 
-/// A figure's picture and how far it was found to be from its reference.
+/// A picture that was compared with its reference.
 struct Entry {
-    std::string figure; ///< as it is named in the table
+    std::string figure; ///< the picture's name in the table of errors
     Proof proof;
 };
 
 struct ReportContext {
     const Content& content;
     ShotRenderer& renderer;
-    bool references = true; ///< without them no errors
+    bool references = true; ///< whether pictures are compared with path-traced references
     std::vector<Entry> entries;
 
-    /// Draws a shot, and proves it where there are references: its error goes under the picture and into `entries`.
+    /// Draws a shot. With references it is compared with its own: the error is added to the picture's numbers, and to
+    /// `entries` under the name `figure`.
     PagePicture proven(const Shot& shot, const std::string& figure);
 };
 
-/// Everything that a figure's patterns may name: Content::values, and {scaled_exposure} where the values have
-/// {texel_scale}, {texel_power} and {exposure}: the exposure by a pipeline that raises texels to a power, of texels
-/// taken that many times as bright. A factor on the exposure does it, for a power of a product is the product of
-/// powers.
+/// The values of all placeholders of a figure's patterns: Content::values, and {scaled_exposure} where these have
+/// {texel_scale}, {texel_power} and {exposure}. It is texel_scale^texel_power * exposure, which has the effect of
+/// scaling the texels in a pipeline that raises them to that power.
 Values values_of(const Content& content, const FigureData& figure, const Values& own);
 
-/// The figure's shot of values. Throws std::logic_error where the figure has none or a placeholder no value.
+/// The figure's shot, filled with values. Throws std::logic_error where the figure has none or a placeholder no value.
 Shot shot_of(const Content& content, const FigureData& figure, const Values& own);
 
-/// The same shot as its method draws it with as many samples as can matter.
+/// The same shot with as many samples as its method needs to converge.
 Shot limit_of(const Content& content, const FigureData& figure, const Values& own);
 
-/// The mean of what surfaces send towards the viewer, over all pixels and colours of them.
+/// The mean radiance of surfaces towards the camera, over the pixels that they cover and over the colour channels.
 double mean_on_surfaces(const image::RadianceImage& light);
 
-/// How saturated a shot's colours are, as displayed: 0 to 1.
+/// The mean saturation of a shot's surfaces as displayed, 0 to 1: see compare::mean_saturation.
 double saturation(ShotRenderer& renderer, const Shot& shot);
 
 /// RMS of the difference of two shots' codes, relative to the largest code.

@@ -20,7 +20,7 @@
 namespace lambent::report {
 namespace {
 
-// What things take on two ordinary cores, for the progress bar.
+// Estimated seconds of work on two cores, for the progress bar.
 constexpr double seconds_of_a_drawing = 0.1, seconds_of_a_reference = 4.0, seconds_of_a_comparison = 0.5;
 
 std::string scene_key(const cli::RenderArguments& arguments)
@@ -53,7 +53,7 @@ image::RadianceImage cut_light(image::RadianceImage light)
     return light;
 }
 
-// References are traced at exposure 1, where their noise is that of light cut at `light_cut`.
+// References are traced at exposure 1, at which their noise is estimated of radiance clamped to light_cut.
 std::optional<double> cut_noise(const reference::Result& exact)
 {
     return exact.noise ? std::optional(exact.noise->all) : std::nullopt;
@@ -78,7 +78,7 @@ ShotRenderer::~ShotRenderer()
     writing_.cancel();
     try {
         writing_.wait();
-    } catch (...) { // whoever wants to know has called finish()
+    } catch (...) { // finish() reports errors, a destructor cannot
     }
 }
 
@@ -92,7 +92,7 @@ Words ShotRenderer::words_of(const Shot& shot) const
 {
     std::istringstream stream(shot.words);
     Words words{std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>()};
-    // A shot may bring its own light or size.
+    // A shot may set its own environment or size.
     if (std::find(words.begin(), words.end(), "--env") == words.end()) {
         append(words, {"--env", shot.lit ? settings_.environment : "none"});
         if (shot.lit)
@@ -186,7 +186,7 @@ PagePicture ShotRenderer::picture(const Shot& shot)
     return picture;
 }
 
-// With the options for how it is shown.
+// Includes display options.
 Words ShotRenderer::reference_words(const Shot& shot) const
 {
     Words words = without_approximations(words_of(shot));

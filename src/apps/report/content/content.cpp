@@ -24,7 +24,7 @@ bool is_of_pictures(FigureKind kind)
     return kind != FigureKind::table && kind != FigureKind::plot;
 }
 
-// Whether a pattern tells all values of an axis apart, by itself or by fields of their list.
+// Whether a pattern depends on an axis, by its placeholder or by one that the axis's list implies.
 bool names_axis(const std::string& pattern, const Axis& axis, const Lists& lists)
 {
     const auto list = lists.find(axis.name);
@@ -142,7 +142,7 @@ const Content& built_in_content()
 
 std::vector<Values> axis_values(const FigureData& figure)
 {
-    // Without columns there is one.
+    // A figure without columns is one column.
     const std::vector<std::string> columns =
         figure.columns.name.empty() ? std::vector<std::string>{""} : figure.columns.values;
     std::vector<Values> all;

@@ -1,4 +1,4 @@
-// The page's words and shots, as the files of words/ and figures/ have them.
+// The page's words and shots, read from the files of words/ and figures/.
 #pragma once
 
 #include "apps/report/content/figure_data.h"
@@ -14,22 +14,21 @@ namespace lambent::report {
 
 struct ContentFile;
 
-/// The page but for what is on it: figures/page.json.
+/// What belongs to no section: figures/page.json.
 struct PageData {
     std::vector<std::string> sections; ///< ids, in order
     Shot cover;
-    Values constants; ///< known to every pattern
-    Values labels;    ///< of numbers that are not a figure's
+    Values constants; ///< placeholders of every pattern
+    Values labels;    ///< names of numbers that belong to no figure
 };
 
-/// Fields of a placeholder's values, by placeholder and value: figures/lists.json. Where a shot has a value for a
-/// placeholder with a list, the fields are placeholders too.
+/// Further placeholders that a placeholder's value implies, by placeholder and value: figures/lists.json.
 using Lists = std::map<std::string, std::map<std::string, Values>>;
 
 class Content {
 public:
     /// Reads the files named figures/NAME.json and words/NAME.md. Throws std::logic_error unless each section's
-    /// figures are the same in both, and each figure has shots whose names tell them apart.
+    /// figures are the same in both, and each figure has shots with different names.
     explicit Content(std::span<const ContentFile> files);
 
     const PageData& page() const { return page_; }
@@ -40,7 +39,7 @@ public:
     /// A label of PageData::labels.
     const std::string& label(const std::string& name) const;
 
-    /// `own`, the figure's values and the constants (in this order of precedence), with the fields of lists. Throws
+    /// `own`, the figure's values and the constants (in this order of precedence), and what the lists imply. Throws
     /// std::logic_error for a value that its list lacks.
     Values values(const FigureData& figure, const Values& own) const;
 
@@ -51,10 +50,10 @@ private:
     std::map<std::string, FigureData> figures_;
 };
 
-/// The content that the program was built with.
+/// The content that is embedded in the program.
 const Content& built_in_content();
 
-/// The values that each shot of a figure has of its axes, column by column.
+/// The values of a figure's axes for each of its shots, column by column.
 std::vector<Values> axis_values(const FigureData& figure);
 
 } // namespace lambent::report

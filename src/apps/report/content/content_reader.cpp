@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// An object whose keys are taken one by one; those that nobody takes are errors.
+// An object whose keys are read one by one; keys that are not read are errors.
 class Object {
 public:
     Object(std::string place, const Json& json) : place_(std::move(place)), json_(json)
@@ -41,7 +41,7 @@ public:
         }
     }
 
-    // read(Object) for the object with a key, nothing without the key.
+    // The result of read(Object) for the object with the key; empty without the key.
     template <class Read>
     auto object(const char* key, Read&& read) -> std::optional<decltype(read(std::declval<Object&>()))>
     {
@@ -51,7 +51,7 @@ public:
         return read_all(text(place_, ".", key), json_.at(key), read);
     }
 
-    // The same for each object of a list; an empty list without the key.
+    // The results of read(Object) for each object of the list with the key; none without the key.
     template <class Read>
     auto objects(const char* key, Read&& read) -> std::vector<decltype(read(std::declval<Object&>()))>
     {
@@ -61,7 +61,7 @@ public:
         return list;
     }
 
-    // Reads an object, of which read() must take every key.
+    // The result of read(Object) for an object, which must read every key.
     template <class Read>
     static auto read_all(const std::string& place, const Json& json, Read&& read)
     {

@@ -1,4 +1,4 @@
-// The files of figures/.
+// Reads the files of figures/.
 #pragma once
 
 #include "apps/report/content/content.h"

@@ -1,4 +1,4 @@
-// What a figure shows, as its section's file in figures/ says: which shots, and what is measured in them.
+// A figure's shots and measurements, as read from figures/*.json.
 #pragma once
 
 #include "apps/report/content/pattern.h"
@@ -9,32 +9,32 @@
 
 namespace lambent::report {
 
-/// One picture of the page, named by the command that draws it.
+/// One picture of the page and the command that draws it.
 struct Shot {
-    std::string name;  ///< of its file, without ".png"; or with ".jpg"
-    std::string words; ///< of `lambent render` between that and -o, apart by spaces: "sphere --model phong"
+    std::string name;  ///< file name, without ".png" but with ".jpg"
+    std::string words; ///< arguments of `lambent render` before -o, separated by spaces
     std::string title; ///< as PagePicture's
     std::string alt;   ///< as PagePicture's
-    bool lit = true;   ///< by the report's environment; else by none
+    bool lit = true;   ///< whether the page's environment lights it; otherwise none does
 };
 
 /// Patterns of a figure's shots.
 struct ShotPattern {
-    Shot shot; ///< every text of it a pattern
-    std::string
-        limit; ///< pattern of the words with which a shot is drawn as exactly as its method can; may be empty
+    Shot shot;         ///< its texts are patterns
+    std::string limit; ///< pattern of the words that draw the shot converged; may be empty
 };
 
-/// Values of one placeholder, for each of which there is a row, a column or a picture.
+/// The values of one placeholder. There is a row, a column or a picture for each.
 struct Axis {
     std::string name;
     std::vector<std::string> values;
     std::string title; ///< pattern of a row's or column's title
 };
 
-/// What a shot's values must be: for each placeholder one of several. Without entries every shot fits.
+/// The allowed values by placeholder. An empty condition holds for every shot.
 using Condition = std::map<std::string, std::vector<std::string>>;
 
+/// Whether each placeholder of the condition has one of its allowed values.
 bool fits(const Condition& condition, const Values& values);
 
 /// A number under a picture.
@@ -44,19 +44,19 @@ struct Measurement {
     Condition where;
 };
 
-/// Which shots are compared with a reference, and what the table of errors calls them: a pattern.
+/// The shots that are compared with a reference.
 struct ProvenShots {
-    std::string name;
+    std::string name; ///< pattern of the name in the table of errors
     Condition where;
 };
 
-/// The references that are shown with the shots.
+/// The references that are shown beside the shots.
 struct ShownReferences {
     std::string title; ///< pattern
     Condition where;
 };
 
-/// A curve of a plot: of another figure's shot.
+/// A curve of a plot, measured in a shot of another figure.
 struct PlottedCurve {
     std::string name, figure;
     Values values;
@@ -67,11 +67,11 @@ enum class FigureKind { gallery, matrix, comparison, table, plot };
 struct FigureData {
     std::string id;
     FigureKind kind = FigureKind::gallery;
-    bool references = false;           ///< the figure is left out of a page without references
-    Values values;                     ///< the same for all shots
-    Axis rows;                         ///< of a matrix, a table or a plot; of other figures the pictures
-    Axis columns;                      ///< of a matrix
-    std::optional<ShotPattern> shot;   ///< without one the figure takes those of others
+    bool references = false; ///< whether the figure needs references; a page without them leaves it out
+    Values values;           ///< the same for all shots
+    Axis rows;               ///< of a matrix, a table or a plot; the pictures of other figures
+    Axis columns;            ///< of a matrix
+    std::optional<ShotPattern> shot;   ///< empty where the figure only measures shots of others
     std::vector<std::string> shots_of; ///< ids of the figures whose shots are measured; or all_proven
     std::optional<ProvenShots> proven;
     std::optional<ShownReferences> reference;

@@ -28,7 +28,7 @@ struct SectionWords {
     std::vector<FigureWords> figures; ///< in the order of the page
 };
 
-/// What the measured page puts into the words of a section.
+/// Measured values for the placeholders and conditions of a section's words.
 struct Filling {
     Values values;
     std::map<std::string, bool> conditions;
@@ -44,8 +44,8 @@ std::vector<std::string> filled(const std::vector<Passage>& passages, const Fill
 /// The caption of a figure, filled. Throws as filled() does.
 std::string caption_of(const FigureWords& figure, const Filling& filling);
 
-/// Throws std::logic_error unless the words use each value and each condition of the filling, and no others, be they
-/// shown or not.
+/// Throws std::logic_error unless the words use exactly the values and conditions of the filling. Passages that are not
+/// shown count as well.
 void check_filling(const SectionWords& words, const Filling& filling);
 
 } // namespace lambent::report
