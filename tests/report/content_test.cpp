@@ -130,8 +130,8 @@ void for_each_shot(const std::function<void(const FigureData&, const Shot&)>& vi
         if (figure.shot)
             for (const Values& values : axis_values(figure)) {
                 visit(figure, shot_of(content, figure, values));
-                if (!figure.shot->limit.empty())
-                    visit(figure, limit_of(content, figure, values));
+                if (!figure.shot->converged.empty())
+                    visit(figure, converged_shot_of(content, figure, values));
             }
 }
 

@@ -20,13 +20,13 @@ Curve convergence(ShotRenderer& renderer, const std::string& name, const Shot& s
                   const std::vector<std::string>& numbers)
 {
     Curve curve{name, {}, {}};
-    const image::RadianceImage exact = cut_light(renderer.reference(shot).radiance);
-    const std::optional<double> noise = cut_noise(renderer.reference(shot));
+    const image::RadianceImage exact = clamped_light(renderer.reference(shot).radiance);
+    const std::optional<double> noise = clamped_noise(renderer.reference(shot));
     for (const std::string& samples : numbers) {
         Shot sampled = shot;
         sampled.words += text(" --samples ", samples);
-        const image::RadianceImage drawn = cut_light(renderer.frame(sampled).radiance);
-        const double error = compare::difference({drawn, exact}, light_cut).relative_rmse;
+        const image::RadianceImage drawn = clamped_light(renderer.frame(sampled).radiance);
+        const double error = compare::difference({drawn, exact}, light_clamp).relative_rmse;
         curve.x.push_back(std::stod(samples));
         curve.y.push_back(std::max(1e-3, without_noise(error, noise)));
     }
@@ -39,9 +39,10 @@ FigureBody error_table(ReportContext& context, const FigureData& figure)
 {
     Table table{figure.titles, {}};
     for (const Entry& entry : context.entries)
-        table.rows.push_back({entry.figure, percent(entry.proof.error), noise_text(entry.proof.noise),
-                              percent(without_noise(entry.proof.error, entry.proof.noise)),
-                              rounded(entry.proof.flip)});
+        table.rows.push_back({entry.figure, percent(entry.comparison.error),
+                              noise_text(entry.comparison.noise),
+                              percent(without_noise(entry.comparison.error, entry.comparison.noise)),
+                              rounded(entry.comparison.flip)});
     return table;
 }
 
@@ -49,10 +50,10 @@ FigureBody heat_maps(ReportContext& context, const FigureData&)
 {
     Gallery gallery;
     for (const Entry& entry : context.entries) {
-        PagePicture picture = entry.proof.heat;
+        PagePicture picture = entry.comparison.heat;
         picture.title = entry.figure;
-        picture.numbers = {{context.content.label("error"), percent(entry.proof.error)},
-                           {context.content.label("flip"), rounded(entry.proof.flip)}};
+        picture.numbers = {{context.content.label("error"), percent(entry.comparison.error)},
+                           {context.content.label("flip"), rounded(entry.comparison.flip)}};
         gallery.pictures.push_back(std::move(picture));
     }
     return gallery;
@@ -68,12 +69,12 @@ FigureBody approximation_costs(ReportContext& context, const FigureData& figure)
                                     {{"exponent", exponent}, {"levels", "matched"}}};
         const Shot report = shot_of(context.content, spheres, at_levels[0]),
                    matched = shot_of(context.content, spheres, at_levels[1]),
-                   limit = limit_of(context.content, spheres, at_levels[1]);
-        const std::optional<double> noise = cut_noise(renderer.reference(matched));
-        const image::RadianceImage exact = cut_light(renderer.reference(matched).radiance),
-                                   converged = cut_light(renderer.frame(limit).radiance);
+                   many_samples = converged_shot_of(context.content, spheres, at_levels[1]);
+        const std::optional<double> noise = clamped_noise(renderer.reference(matched));
+        const image::RadianceImage exact = clamped_light(renderer.reference(matched).radiance),
+                                   converged = clamped_light(renderer.frame(many_samples).radiance);
         const auto error = [&](const Shot& shot) {
-            return compare::brightness_fit({cut_light(renderer.frame(shot).radiance), converged}).error;
+            return compare::brightness_fit({clamped_light(renderer.frame(shot).radiance), converged}).error;
         };
         const compare::BrightnessFit lobe = compare::brightness_fit({converged, exact});
         table.rows.push_back({exponent, percent(error(report)), percent(error(matched)),

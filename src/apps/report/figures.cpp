@@ -136,17 +136,17 @@ std::string list_html(const std::vector<PagePicture>& pictures, const Place& pla
 }
 
 // The visible part of a figure, and the collapsed part under its caption.
-struct Content {
+struct FigureHtml {
     std::string shown, folded;
 };
 
-Content content_of(const Gallery& gallery, const Place& place)
+FigureHtml html_of(const Gallery& gallery, const Place& place)
 {
     const Recipes recipes = recipes_of(gallery.pictures, place);
     return {list_html(gallery.pictures, place, recipes), made_html(recipes)};
 }
 
-Content content_of(const Comparison& comparison, const Place& place)
+FigureHtml html_of(const Comparison& comparison, const Place& place)
 {
     const Recipes recipes = recipes_of(comparison.pictures, place);
     return {"<div class=\"comparison\"" + frame_style(comparison.pictures, 1) + ">\n" +
@@ -176,7 +176,7 @@ std::string matrix_row(const Matrix& matrix, std::size_t row, const Place& place
     return html + "</tr>\n";
 }
 
-Content content_of(const Matrix& untitled, const Place& place)
+FigureHtml html_of(const Matrix& untitled, const Place& place)
 {
     const Matrix matrix{untitled.rows, untitled.columns, titled(untitled)};
     const Recipes recipes = recipes_of(matrix.pictures, place);
@@ -192,12 +192,12 @@ Content content_of(const Matrix& untitled, const Place& place)
     return {html + "</tbody></table></div>\n", made_html(recipes)};
 }
 
-Content content_of(const Table& table, const Place& place)
+FigureHtml html_of(const Table& table, const Place& place)
 {
     return {table_html(table, place.title_id), ""};
 }
 
-Content content_of(const Plot& plot, const Place& place)
+FigureHtml html_of(const Plot& plot, const Place& place)
 {
     return {plot_html(plot), "<details class=\"plotted\"><summary>The numbers of this plot</summary>\n" +
                                  table_html(plotted_numbers(plot), place.title_id) + "</details>\n"};
@@ -257,10 +257,10 @@ std::string figure_html(const Figure& figure, const Place& place)
     std::string html = "<figure" + attribute("id", place.id) + attribute("aria-labelledby", place.title_id) +
                        ">\n<h3" + attribute("id", place.title_id) + "><span class=\"figure-number\">Figure " +
                        escape(place.number) + "</span> " + escape(figure.title) + "</h3>\n";
-    const Content content =
-        std::visit([&](const auto& kind) { return content_of(kind, place); }, figure.content);
-    html += content.shown;
-    std::string caption = content.folded;
+    const FigureHtml html_parts =
+        std::visit([&](const auto& kind) { return html_of(kind, place); }, figure.content);
+    html += html_parts.shown;
+    std::string caption = html_parts.folded;
     if (!figure.caption.empty())
         caption = prose("p class=\"caption\"", figure.caption) + "\n" + caption;
     if (!caption.empty())

@@ -85,8 +85,8 @@ std::map<std::string, FigureBody> bodies_of(ReportContext& context, const Sectio
     for (const bool last : {false, true})
         for (const FigureWords& figure : words.figures) {
             const FigureData& data = context.content.figure(figure.id);
-            const bool of_proven = std::ranges::find(data.shots_of, all_proven) != data.shots_of.end();
-            if (of_proven == last && (context.references || !data.references))
+            const bool of_compared = std::ranges::find(data.shots_of, all_compared) != data.shots_of.end();
+            if (of_compared == last && (context.references || !data.references))
                 bodies.emplace(figure.id, figure_body(context, data));
         }
     return bodies;

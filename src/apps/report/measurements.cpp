@@ -43,7 +43,7 @@ std::optional<std::string> difference_from_light(ReportContext& context, const M
 // The structure of a few pixels' size that the converged shot does not have.
 std::optional<std::string> blockiness(ReportContext& context, const MeasuredShot& measured)
 {
-    const Shot limit = limit_of(context.content, measured.figure, measured.values);
+    const Shot limit = converged_shot_of(context.content, measured.figure, measured.values);
     return percent(compare::fine_difference(context.renderer.frame(measured.shot).radiance,
                                             context.renderer.frame(limit).radiance));
 }

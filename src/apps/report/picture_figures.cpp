@@ -18,13 +18,13 @@ Pictures pictures_of(ReportContext& context, const FigureData& figure)
     for (const Values& values : axis_values(figure)) {
         const Shot shot = shot_of(context.content, figure, values);
         const Values all = values_of(context.content, figure, values);
-        const bool proven = figure.proven && fits(figure.proven->where, values);
-        pictures.shots.push_back(proven ? context.proven(shot, fill(figure.proven->name, all))
-                                        : context.renderer.picture(shot));
+        const bool compared = figure.compared && fits(figure.compared->where, values);
+        pictures.shots.push_back(compared ? context.compared(shot, fill(figure.compared->name, all))
+                                          : context.renderer.picture(shot));
         add_measurements(context, {figure, values, shot}, pictures.shots.back());
-        if (!proven || !context.references || !figure.reference || !fits(figure.reference->where, values))
+        if (!compared || !context.references || !figure.reference || !fits(figure.reference->where, values))
             continue;
-        pictures.references.push_back(context.entries.back().proof.reference);
+        pictures.references.push_back(context.entries.back().comparison.reference);
         pictures.references.back().title = fill(figure.reference->title, all);
     }
     return pictures;

@@ -65,7 +65,7 @@ void print_stats(const ReportArguments& arguments, const report::ReportContext& 
     constexpr double unknown = std::numeric_limits<double>::infinity();
     double noise = context.entries.empty() ? unknown : 0.0;
     for (const report::Entry& entry : context.entries)
-        noise = std::max(noise, entry.proof.noise.value_or(unknown));
+        noise = std::max(noise, entry.comparison.noise.value_or(unknown));
     nlohmann::ordered_json stats = {{"command", "report"},
                                     {"environment", arguments.environment},
                                     {"output", arguments.output},

@@ -25,15 +25,15 @@ const ShotPattern& pattern_of(const FigureData& figure)
 
 } // namespace
 
-PagePicture ReportContext::proven(const Shot& shot, const std::string& figure)
+PagePicture ReportContext::compared(const Shot& shot, const std::string& figure)
 {
     PagePicture picture = renderer.picture(shot);
     if (!references)
         return picture;
-    Proof proof = renderer.prove(shot);
-    picture.numbers.push_back({content.label("error"), percent(proof.error)});
-    picture.numbers.push_back({content.label("noise"), noise_text(proof.noise)});
-    entries.push_back({figure, std::move(proof)});
+    ReferenceComparison comparison = renderer.compare_with_reference(shot);
+    picture.numbers.push_back({content.label("error"), percent(comparison.error)});
+    picture.numbers.push_back({content.label("noise"), noise_text(comparison.noise)});
+    entries.push_back({figure, std::move(comparison)});
     return picture;
 }
 
@@ -54,13 +54,13 @@ Shot shot_of(const Content& content, const FigureData& figure, const Values& own
     return filled_shot(figure, fill(pattern_of(figure).shot.words, values), values);
 }
 
-Shot limit_of(const Content& content, const FigureData& figure, const Values& own)
+Shot converged_shot_of(const Content& content, const FigureData& figure, const Values& own)
 {
     Values values = values_of(content, figure, own);
     values["command"] = fill(pattern_of(figure).shot.words, values);
-    if (figure.shot->limit.empty())
-        throw std::logic_error(text("the shots of ", figure.id, " have no limit"));
-    return filled_shot(figure, fill(figure.shot->limit, values), values);
+    if (figure.shot->converged.empty())
+        throw std::logic_error(text("the shots of ", figure.id, " have no \"converged\""));
+    return filled_shot(figure, fill(figure.shot->converged, values), values);
 }
 
 double mean_on_surfaces(const image::RadianceImage& light)

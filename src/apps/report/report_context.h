@@ -13,7 +13,7 @@ namespace lambent::report {
 /// A picture that was compared with its reference.
 struct Entry {
     std::string figure; ///< the picture's name in the table of errors
-    Proof proof;
+    ReferenceComparison comparison;
 };
 
 struct ReportContext {
@@ -24,7 +24,7 @@ struct ReportContext {
 
     /// Draws a shot. With references it is compared with its own: the error is added to the picture's numbers, and to
     /// `entries` under the name `figure`.
-    PagePicture proven(const Shot& shot, const std::string& figure);
+    PagePicture compared(const Shot& shot, const std::string& figure);
 };
 
 /// The values of all placeholders of a figure's patterns: Content::values, and {scaled_exposure} where these have
@@ -36,7 +36,7 @@ Values values_of(const Content& content, const FigureData& figure, const Values&
 Shot shot_of(const Content& content, const FigureData& figure, const Values& own);
 
 /// The same shot with as many samples as its method needs to converge.
-Shot limit_of(const Content& content, const FigureData& figure, const Values& own);
+Shot converged_shot_of(const Content& content, const FigureData& figure, const Values& own);
 
 /// The mean radiance of surfaces towards the camera, over the pixels that they cover and over the colour channels.
 double mean_on_surfaces(const image::RadianceImage& light);

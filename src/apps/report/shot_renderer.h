@@ -28,21 +28,21 @@ struct ShotRendererSettings {
 
 /// Radiance is clamped to this before comparing: half of full white at exposure 1. The report's BRDF is unbounded at
 /// grazing angles, where a few pixels would dominate a mean square.
-constexpr float light_cut = 1.0f;
+constexpr float light_clamp = 1.0f;
 
-/// The radiance clamped to light_cut.
-image::RadianceImage cut_light(image::RadianceImage light);
+/// The radiance clamped to light_clamp.
+image::RadianceImage clamped_light(image::RadianceImage light);
 
 /// The estimated relative error of a reference, its radiance clamped, over all its pixels. Empty where it is unknown:
 /// see reference::Film::noise.
-std::optional<double> cut_noise(const reference::Result& exact);
+std::optional<double> clamped_noise(const reference::Result& exact);
 
 /// A relative error without the reference's noise, which is independent of it: sqrt(error^2 - noise^2), at least 0. The
 /// error as it is where the noise is unknown.
 double without_noise(double error, const std::optional<double>& noise);
 
 /// A picture compared with its path-traced reference, both clamped.
-struct Proof {
+struct ReferenceComparison {
     PagePicture reference, heat;
     double error = 0.0;          ///< relative RMSE, as `lambent compare` measures it
     std::optional<double> noise; ///< the reference's own, estimated
@@ -72,7 +72,7 @@ public:
     const reference::Result& reference(const Shot& shot);
 
     /// Compares a shot with its reference, and writes the reference's picture and the heat map.
-    Proof prove(const Shot& shot);
+    ReferenceComparison compare_with_reference(const Shot& shot);
 
     /// All words of a shot's command between `lambent render` and -o.
     Words words_of(const Shot& shot) const;

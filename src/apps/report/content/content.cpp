@@ -90,7 +90,7 @@ Content::Content(std::span<const ContentFile> files)
     }
     for (const auto& [id, figure] : figures_) {
         for (const std::string& other : figure.shots_of)
-            if (other != all_proven)
+            if (other != all_compared)
                 (void)this->figure(other);
         for (const PlottedCurve& curve : figure.curves)
             (void)this->figure(curve.figure);

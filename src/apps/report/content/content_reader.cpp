@@ -110,7 +110,7 @@ ShotPattern read_shot(Object& object)
     const auto optional = [&](const char* key) { return object.optional<std::string>(key, ""); };
     return {{optional("name"), object.required<std::string>("command"), optional("title"), optional("alt"),
              object.optional("lit", true)},
-            optional("limit")};
+            optional("converged")};
 }
 
 Measurement read_measurement(Object& object)
@@ -151,8 +151,8 @@ FigureData read_figure(const std::string& file, const std::string& id, Object& o
     figure.columns = object.object("columns", read_axis).value_or(Axis());
     figure.shot = object.object("shot", read_shot);
     figure.shots_of = object.optional("shots_of", std::vector<std::string>());
-    figure.proven = object.object("proven", [](Object& proven) {
-        return ProvenShots{proven.required<std::string>("as"), read_condition(proven)};
+    figure.compared = object.object("compared", [](Object& compared) {
+        return ComparedShots{compared.required<std::string>("as"), read_condition(compared)};
     });
     figure.reference = object.object("reference", [](Object& reference) {
         return ShownReferences{reference.required<std::string>("title"), read_condition(reference)};

@@ -20,8 +20,8 @@ struct Shot {
 
 /// Patterns of a figure's shots.
 struct ShotPattern {
-    Shot shot;         ///< its texts are patterns
-    std::string limit; ///< pattern of the words that draw the shot converged; may be empty
+    Shot shot;             ///< its texts are patterns
+    std::string converged; ///< pattern of the words that draw the shot converged; may be empty
 };
 
 /// The values of one placeholder. There is a row, a column or a picture for each.
@@ -45,7 +45,7 @@ struct Measurement {
 };
 
 /// The shots that are compared with a reference.
-struct ProvenShots {
+struct ComparedShots {
     std::string name; ///< pattern of the name in the table of errors
     Condition where;
 };
@@ -72,8 +72,8 @@ struct FigureData {
     Axis rows;               ///< of a matrix, a table or a plot; the pictures of other figures
     Axis columns;            ///< of a matrix
     std::optional<ShotPattern> shot;   ///< empty where the figure only measures shots of others
-    std::vector<std::string> shots_of; ///< ids of the figures whose shots are measured; or all_proven
-    std::optional<ProvenShots> proven;
+    std::vector<std::string> shots_of; ///< ids of the figures whose shots are measured; or all_compared
+    std::optional<ComparedShots> compared;
     std::optional<ShownReferences> reference;
     std::vector<Measurement> measured;
     std::vector<std::string> titles; ///< of a table's columns, of a plot's axes
@@ -82,6 +82,6 @@ struct FigureData {
 };
 
 /// In FigureData::shots_of: every shot of the page that is compared with a reference.
-inline constexpr const char* all_proven = "all proven";
+inline constexpr const char* all_compared = "all compared";
 
 } // namespace lambent::report
