@@ -232,7 +232,7 @@ PagePicture ShotRenderer::heat_picture(const Shot& shot)
     image::CodeImage heat = compare::heat_map(map, {"relative error", 1.0, compare::mean(map)});
     const std::string file = shot.name + "-error.png", drawn = shot.name + ".exr",
                       traced = shot.name + "-reference.exr";
-    PagePicture picture{file, heat.width, heat.height, shot.title, "Where it errs: " + shot.alt, {}, {}};
+    PagePicture picture{file, heat.width, heat.height, shot.title, "Error map: " + shot.alt, {}, {}};
     picture.commands = {
         typed(output_words("render", without_display(words_of(shot)), drawn)),
         typed(output_words("reference", without_display(reference_words(shot)), traced)),
