@@ -11,7 +11,7 @@
 namespace lambent {
 namespace {
 
-// A colour to divide by.
+// Light is divided by albedo.
 constexpr float least_albedo = 0.02f;
 
 } // namespace

@@ -1,4 +1,5 @@
-// make_kitchen OUT.exr [--size WxH] [--time S] [--samples N] [--preview OUT.png]: the built-in environment's file.
+// make_kitchen OUT.exr [--size WxH] [--time S] [--samples N] [--preview OUT.png]
+// Writes the file of the built-in environment `kitchen`.
 #include "kitchen/trace_kitchen.h"
 #include "base/error.h"
 #include "base/file.h"
@@ -17,7 +18,7 @@ namespace {
 
 using namespace lambent;
 
-// Of the file: what keeps it below 1.5 MB.
+// Compression loss that keeps the file below 1.5 MB.
 constexpr float loss = 130.0f;
 
 struct Arguments {
@@ -64,8 +65,7 @@ Arguments parse(int count, char** words)
     return arguments;
 }
 
-// Light that arrives at a level surface, from above and from below, over that of radiance 1 everywhere: tells how
-// bright a grey card in the middle looks.
+// The mean radiance over the sphere, which tells how bright an object in the middle of the room looks.
 double mean_radiance(const image::RadianceImage& panorama)
 {
     double sum = 0.0, weight = 0.0;

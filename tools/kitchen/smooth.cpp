@@ -15,12 +15,12 @@ namespace lambent {
 namespace {
 
 constexpr int rounds = 5;                             // the last reaches 2 * 2^4 pixels to each side
-constexpr float kernel[3] = {0.375f, 0.25f, 0.0625f}; // of a cubic B-spline, from the middle
-constexpr float luminance_deviations = 3.0f;          // what the noise may explain
+constexpr float kernel[3] = {0.375f, 0.25f, 0.0625f}; // cubic B-spline, from its centre
+constexpr float luminance_deviations = 3.0f;          // differences in luminance that count as noise
 constexpr float normal_exponent = 48.0f;              // 10 degrees halve the weight
-constexpr float plane_share = 0.01f;                  // of the distance: how far off a plane is off it
+constexpr float plane_share = 0.01f;                  // of the distance: so far off a plane the weight is 1/e
 
-// Light on a pixel's surface, its colour taken out, and the variance of its luminance.
+// A pixel's radiance over its albedo, and the variance of that luminance.
 struct Lit {
     glm::vec3 light{0.0f};
     float variance = 0.0f;
@@ -43,7 +43,7 @@ float luminance(const glm::vec3& c)
     return static_cast<float>(image::luminance(&c.r));
 }
 
-// Single variances of eight replicates are rough: their mean over 3x3 pixels.
+// The weighted mean of the variance over 3x3 pixels: variances of eight replicates are imprecise.
 float mean_variance(const Picture& picture, const Size& size, int x, int y)
 {
     float sum = 0.0f;
@@ -53,7 +53,7 @@ float mean_variance(const Picture& picture, const Size& size, int x, int y)
     return sum / ((kernel[0] + 2.0f * kernel[1]) * (kernel[0] + 2.0f * kernel[1]));
 }
 
-// How much two pixels show the same surface.
+// A weight from 0 to 1: 1 where two pixels show the same plane.
 float likeness(const FirstHit& a, const FirstHit& b, float distance)
 {
     if (std::fabs(a.coverage - b.coverage) > 0.05f)
@@ -90,7 +90,8 @@ Lit filtered(const Picture& picture, std::span<const FirstHit> hits, const Size&
     return weights > 0.0f ? Lit{sum.light / weights, sum.variance / (weights * weights)} : own;
 }
 
-// A pixel that outshines all around it by far is one lucky path: it becomes the brightest of them.
+// Removes fireflies: a pixel far brighter than all its neighbours is due to a single path. It is clamped to the
+// brightest neighbour.
 void take_out_sparks(Picture& picture, const Size& size, std::span<const FirstHit> hits)
 {
     const Picture before = picture;
@@ -113,7 +114,7 @@ void take_out_sparks(Picture& picture, const Size& size, std::span<const FirstHi
     });
 }
 
-// Light of blocks of a picture, read between their middles.
+// Sums of light over blocks of a picture, interpolated between the blocks' centres.
 struct Blocks {
     int size, columns, rows;
     std::vector<glm::vec3> light;
@@ -144,7 +145,7 @@ struct Blocks {
     }
 };
 
-// What sparks and filter took is given back to the blocks that it came from.
+// Restores the energy of each block that the removal of fireflies and the filter changed.
 void give_back(image::RadianceImage& smooth, const image::RadianceImage& traced)
 {
     const int block = std::clamp(smooth.width / 32, 4, 64);
@@ -174,7 +175,7 @@ image::RadianceImage smoothed(const image::RadianceImage& radiance, const image:
             const glm::vec3& albedo = hits[size.at(x, y)].albedo;
             Lit& lit = picture[size.at(x, y)];
             lit.light = glm::vec3(c[0], c[1], c[2]) / albedo;
-            // The three channels' noise is one path's: their deviations add up.
+            // The noise of the channels comes from the same paths, so standard deviations add up.
             const float deviation = luminance(glm::sqrt(glm::vec3(v[0], v[1], v[2])) / albedo);
             lit.variance = deviation * deviation;
         }

@@ -16,12 +16,12 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// The light outside, cut in two: their sum is all of it that can enter.
+// The environment outside the room, split in two panoramas whose sum it is.
 struct Outside {
     image::RadianceImage sky, sun;
 };
 
-// Of the texel's middle, as environment::Panorama is oriented.
+// The direction of a texel's centre, oriented as environment::Panorama.
 glm::dvec3 direction_of(const image::RadianceImage& panorama, int x, int y)
 {
     const double azimuth = ((x + 0.5) / panorama.width - 0.5) * 2.0 * pi;
@@ -82,8 +82,8 @@ image::RadianceImage without_alpha(const image::RadianceImage& image)
     return rgb;
 }
 
-// Light of sky and sun in the units of the panorama. Their noise is taken out apart: the edges of the sun's patches would
-// hide in the noise of the sky.
+// Adds the light of sky and sun, in the units of the panorama. Noise is removed from each separately: the noise of the
+// sky would hide the edges of the sun's patches.
 image::RadianceImage combined(const scene::Scene& scene, const reference::Result& sky,
                               const reference::Result& sun, bool smooth)
 {
@@ -99,7 +99,7 @@ image::RadianceImage combined(const scene::Scene& scene, const reference::Result
     return sum;
 }
 
-// As what settings_of's limit is held against; infinite where the time was too short to tell.
+// The noise that reference::Settings::noise limits; infinite where the time was too short to estimate it.
 double noise_of(const reference::Result& result)
 {
     return result.noise ? result.noise->covered : std::numeric_limits<double>::infinity();
@@ -120,7 +120,7 @@ KitchenPicture trace_kitchen(const KitchenTrace& trace, const std::function<void
     };
     const reference::Result sky = reference::trace(scene, &outside.sky, settings, go_on);
     before = 0.5;
-    // The lamps are in the first picture already.
+    // The first picture contains the light of the lamps.
     for (scene::Material& material : scene.materials)
         material.emissive = glm::vec3(0.0f);
     const reference::Result sun = reference::trace(scene, &outside.sun, settings, go_on);

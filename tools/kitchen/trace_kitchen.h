@@ -1,4 +1,4 @@
-// The built-in environment `kitchen`, from scene to light.
+// Traces the built-in environment `kitchen`.
 #pragma once
 
 #include "image/image.h"
@@ -10,11 +10,11 @@ namespace lambent {
 
 struct KitchenTrace {
     int width = 2048, height = 1024;
-    double seconds = std::numeric_limits<double>::infinity(); ///< stop after this time, or at:
+    double seconds = std::numeric_limits<double>::infinity(); ///< stop after this time, or at one of these:
     double noise = 0.0;    ///< estimated relative RMSE, see reference::Settings
     int samples = 1 << 20; ///< per pixel
-    int bounces = 5;       ///< what comes after is 2 % of the light, at a third of the time
-    bool smooth = true;    ///< take noise out (smooth.h)
+    int bounces = 5;       ///< later ones hold 2 % of the light and take a third of the time
+    bool smooth = true;    ///< remove noise (smooth.h)
 };
 
 struct KitchenPicture {
@@ -23,9 +23,9 @@ struct KitchenPicture {
     double sky_samples = 0.0, sun_samples = 0.0;
 };
 
-/// Sky light (with the lamps) and sun light are traced one after the other and added: drawn together, nine of ten
-/// samples would go to the sun, which few points see. Each takes half of the time. `report` is called now and then with
-/// what share is done.
+/// Traces sky light (with the lamps) and sunlight one after the other, each for half of the time, and adds them: traced
+/// together, nine of ten samples would go to the sun, which few points see. `report` is called with the share done,
+/// from 0 to 1.
 KitchenPicture trace_kitchen(const KitchenTrace& trace, const std::function<void(double)>& report = {});
 
 } // namespace lambent

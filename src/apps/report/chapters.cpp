@@ -6,7 +6,7 @@ namespace lambent::report {
 
 std::vector<Chapter> chapters_of(const Page& page, Ids& ids)
 {
-    // The page's own.
+    // Ids of the page itself.
     for (const char* own : {"top", "text", "facts", "viewer", "viewer-title", "said"})
         ids.take(own);
     std::vector<Chapter> chapters;

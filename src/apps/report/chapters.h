@@ -1,4 +1,4 @@
-// The parts of a page with their numbers and the names they are found by: the same in HTML and in JSON.
+// Numbers and ids of a page's sections and figures, the same in HTML and in JSON.
 #pragma once
 
 #include "apps/report/html.h"
@@ -9,7 +9,7 @@
 
 namespace lambent::report {
 
-/// Where a figure stands on the page, and the names its parts take.
+/// The number and the ids of a figure.
 struct Place {
     std::string id;       ///< of the figure
     std::string number;   ///< "4.2"; empty for the cover
@@ -23,7 +23,7 @@ struct Chapter {
     std::vector<Place> places; ///< of the section's figures
 };
 
-/// The page's sections in order. `ids` must live as long, and goes on naming smaller parts.
+/// The page's sections in order. `ids` must outlive the result, whose figures take the ids of their parts from it.
 std::vector<Chapter> chapters_of(const Page& page, Ids& ids);
 
 } // namespace lambent::report

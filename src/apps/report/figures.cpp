@@ -7,7 +7,7 @@
 namespace lambent::report {
 namespace {
 
-// Pictures made by the same commands, which are shown once.
+// Commands, which are shown once, and the titles of the pictures that they make.
 struct Recipe {
     std::string id, titles;
     std::vector<std::string> commands;
@@ -15,7 +15,7 @@ struct Recipe {
 
 using Recipes = std::vector<Recipe>;
 
-// What a picture is called where its title alone stands.
+// The title of a picture outside its figure: with the figure's number.
 std::string title_of(const PagePicture& picture, const Place& place)
 {
     const std::string figure = place.number.empty() ? "Cover" : "Figure " + place.number;
@@ -37,7 +37,7 @@ Recipes recipes_of(const std::vector<PagePicture>& pictures, const Place& place)
     return recipes;
 }
 
-// Each word in a box of its own: browsers break lines after hyphens, which would tear options apart.
+// Puts each word in an element of its own: browsers break lines after hyphens, which would split options.
 std::string words_html(const std::string& command)
 {
     std::string html;
@@ -76,7 +76,7 @@ std::string made_html(const Recipes& recipes)
     return "<details class=\"made\"><summary>How this was made</summary>\n" + list + "</details>\n";
 }
 
-// All boxes of a figure are alike; so are the pictures in nearly all figures.
+// Sizes all boxes of a figure by its first picture: nearly all figures have pictures of one size.
 std::string frame_style(const std::vector<PagePicture>& pictures, int columns)
 {
     if (pictures.empty())
@@ -100,7 +100,7 @@ std::string image_html(const PagePicture& picture, bool is_cover)
            (is_cover ? " fetchpriority=\"high\">" : " loading=\"lazy\" decoding=\"async\">");
 }
 
-// The picture as a link to its file, which the script makes a larger view of.
+// The picture as a link to its file; the script opens it in the viewer instead.
 std::string view_html(const PagePicture& picture, const Place& place, const Recipes& recipes)
 {
     std::string made;
@@ -112,7 +112,7 @@ std::string view_html(const PagePicture& picture, const Place& place, const Reci
            image_html(picture, place.number.empty()) + "</a>\n";
 }
 
-// As many columns as leave the last row full, or nearly.
+// Chooses the number of columns that leaves the last row full or nearly full.
 int columns_for(std::size_t pictures)
 {
     if (pictures <= 3)
@@ -135,18 +135,18 @@ std::string list_html(const std::vector<PagePicture>& pictures, const Place& pla
     return html + "</ul>\n";
 }
 
-// What a figure shows, and what can be unfolded under its caption.
-struct Content {
+// The visible part of a figure, and the collapsed part under its caption.
+struct FigureHtml {
     std::string shown, folded;
 };
 
-Content content_of(const Gallery& gallery, const Place& place)
+FigureHtml html_of(const Gallery& gallery, const Place& place)
 {
     const Recipes recipes = recipes_of(gallery.pictures, place);
     return {list_html(gallery.pictures, place, recipes), made_html(recipes)};
 }
 
-Content content_of(const Comparison& comparison, const Place& place)
+FigureHtml html_of(const Comparison& comparison, const Place& place)
 {
     const Recipes recipes = recipes_of(comparison.pictures, place);
     return {"<div class=\"comparison\"" + frame_style(comparison.pictures, 1) + ">\n" +
@@ -154,7 +154,7 @@ Content content_of(const Comparison& comparison, const Place& place)
             made_html(recipes)};
 }
 
-// Pictures of a matrix need no titles of their own.
+// Pictures of a matrix without titles get those of their row and column.
 std::vector<PagePicture> titled(const Matrix& matrix)
 {
     std::vector<PagePicture> pictures = matrix.pictures;
@@ -176,7 +176,7 @@ std::string matrix_row(const Matrix& matrix, std::size_t row, const Place& place
     return html + "</tr>\n";
 }
 
-Content content_of(const Matrix& untitled, const Place& place)
+FigureHtml html_of(const Matrix& untitled, const Place& place)
 {
     const Matrix matrix{untitled.rows, untitled.columns, titled(untitled)};
     const Recipes recipes = recipes_of(matrix.pictures, place);
@@ -192,12 +192,12 @@ Content content_of(const Matrix& untitled, const Place& place)
     return {html + "</tbody></table></div>\n", made_html(recipes)};
 }
 
-Content content_of(const Table& table, const Place& place)
+FigureHtml html_of(const Table& table, const Place& place)
 {
     return {table_html(table, place.title_id), ""};
 }
 
-Content content_of(const Plot& plot, const Place& place)
+FigureHtml html_of(const Plot& plot, const Place& place)
 {
     return {plot_html(plot), "<details class=\"plotted\"><summary>The numbers of this plot</summary>\n" +
                                  table_html(plotted_numbers(plot), place.title_id) + "</details>\n"};
@@ -207,11 +207,11 @@ bool is_number_like(const std::string& cell)
 {
     const std::size_t digit = cell.find_first_of("0123456789");
     if (digit == std::string::npos)
-        return cell.size() <= 3; // none, or a dash
+        return cell.size() <= 3; // empty, or a dash
     return cell.find_first_not_of("+-.<>~ \xe2\x88\x92\xe2\x89\x88") == digit;
 }
 
-// Of such cells' columns the digits should stand below each other.
+// Columns of numbers are set with their digits aligned.
 bool is_number_column(const Table& table, std::size_t column)
 {
     return std::all_of(table.rows.begin(), table.rows.end(), [&](const std::vector<std::string>& row) {
@@ -257,10 +257,10 @@ std::string figure_html(const Figure& figure, const Place& place)
     std::string html = "<figure" + attribute("id", place.id) + attribute("aria-labelledby", place.title_id) +
                        ">\n<h3" + attribute("id", place.title_id) + "><span class=\"figure-number\">Figure " +
                        escape(place.number) + "</span> " + escape(figure.title) + "</h3>\n";
-    const Content content =
-        std::visit([&](const auto& kind) { return content_of(kind, place); }, figure.content);
-    html += content.shown;
-    std::string caption = content.folded;
+    const FigureHtml html_parts =
+        std::visit([&](const auto& kind) { return html_of(kind, place); }, figure.content);
+    html += html_parts.shown;
+    std::string caption = html_parts.folded;
     if (!figure.caption.empty())
         caption = prose("p class=\"caption\"", figure.caption) + "\n" + caption;
     if (!caption.empty())

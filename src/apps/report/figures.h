@@ -1,4 +1,4 @@
-// The figures of a page as HTML, all but plots.
+// Figures of a page as HTML. Plots are in plot.h.
 #pragma once
 
 #include "apps/report/chapters.h"
@@ -7,13 +7,13 @@ namespace lambent::report {
 
 std::string figure_html(const Figure& figure, const Place& place);
 
-/// The picture over everything, with its title, numbers and commands.
+/// The picture at the top of the page, with its title, numbers and commands.
 std::string cover_html(const PagePicture& cover, Ids& ids);
 
-/// A list of names with their values; nothing where there are none.
+/// A list of names with their values; empty if `numbers` is.
 std::string numbers_html(const std::vector<Number>& numbers);
 
-/// A table that scrolls inside its own box, named by the element `label`.
+/// A table in a scrolling box; `label` is the id of the element that names it.
 std::string table_html(const Table& table, const std::string& label);
 
 } // namespace lambent::report

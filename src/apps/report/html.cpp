@@ -27,12 +27,12 @@ std::string escaped(char c)
     default:
         break;
     }
-    // HTML knows no other control characters.
+    // HTML allows no other control characters.
     const bool is_control = static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t';
     return is_control || c == 0x7f ? "\uFFFD" : std::string(1, c);
 }
 
-// What is escaped already, in a tag.
+// `html` must be escaped already.
 std::string enclosed(std::string_view tag, std::string_view html)
 {
     std::string all = "<";
@@ -53,7 +53,7 @@ std::string escape(std::string_view text)
 
 std::string address(std::string_view file)
 {
-    // "//host" would be another machine, and a colon would end a protocol's name.
+    // "//host" would name another machine. A colon, which would end a scheme, is encoded below.
     std::string text = file.starts_with('/') ? "." : "";
     for (const char c : file) {
         if (is_letter_or_digit(c) || std::string_view("-._~/").find(c) != std::string_view::npos) {

@@ -7,28 +7,29 @@
 
 namespace lambent::report {
 
-/// Text as it may stand between tags and inside an attribute in quotes.
+/// Escapes text for use between tags and in quoted attributes.
 std::string escape(std::string_view text);
 
-/// A file's name as a relative address: whatever it holds, it leads nowhere but to a file.
+/// A file's name as a relative URL. No name makes it a URL with a scheme or a host.
 std::string address(std::string_view file);
 
 /// ` name="value"`, escaped.
 std::string attribute(std::string_view name, std::string_view value);
 
-/// `<tag>text</tag>`, the text escaped. `tag` may bring attributes of its own.
+/// `<tag>text</tag>`, the text escaped. `tag` may include attributes.
 std::string element(std::string_view tag, std::string_view text);
 
-/// The same of a sentence, whose options, such as --size, are code that no line breaks: browsers do after hyphens.
+/// The same for prose: options such as --size become code that is not broken across lines, as browsers do after
+/// hyphens.
 std::string prose(std::string_view tag, std::string_view text);
 
-/// A number as CSS and SVG read it, to a hundredth.
+/// A number in the syntax of CSS and SVG, rounded to hundredths.
 std::string decimal(double value);
 
-/// Names for the parts of a page, none given twice.
+/// Unique ids for the parts of a page.
 class Ids {
 public:
-    /// `wanted` with what an id should not hold replaced, and a number at its end if another has it already.
+    /// `wanted`, with invalid characters replaced and a number appended if the id is taken.
     std::string take(std::string_view wanted);
 
 private:

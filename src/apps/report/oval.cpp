@@ -63,7 +63,7 @@ Oval highlight_shape(const image::RadianceImage& light, const view::Camera& came
             if (!(t > 0.0))
                 continue;
             const glm::dvec3 point = origin + t * direction;
-            // A pixel far off or seen at a slant covers more ground.
+            // A distant pixel, or one at a grazing angle, covers more ground.
             ground.add({point.x, point.z}, t * t * t / std::fabs(origin.y));
             picture.add(at, 1.0);
         }

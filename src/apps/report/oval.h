@@ -11,8 +11,8 @@ struct Oval {
     double in_picture = 0.0; ///< the same in pixels
 };
 
-/// Of the pixels with at least half of the brightest pixel's luminance: the square root of the ratio of their second
-/// moments along the two main axes. 0 where there are fewer than three.
+/// The shape of the pixels with at least half of the brightest pixel's luminance: the square root of the ratio of their
+/// second moments along the two principal axes. 0 where there are fewer than three such pixels.
 Oval highlight_shape(const image::RadianceImage& light, const view::Camera& camera);
 
 } // namespace lambent::report

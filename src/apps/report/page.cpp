@@ -45,7 +45,7 @@ std::string contents_html(const std::vector<Chapter>& chapters, bool has_facts)
     return html + "</ol>\n";
 }
 
-// The contents stand twice, beside the text and folded into the bar: one of them is always hidden.
+// The contents are in the page twice, beside the text and collapsed in the bar: one of them is always hidden.
 std::string bar_html(const Page& page, const std::string& contents)
 {
     return "<header class=\"bar\"><details class=\"folded\"><summary>Contents</summary>\n"

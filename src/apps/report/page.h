@@ -1,4 +1,4 @@
-// A page of figures as one HTML file: no network, no script needed to read it, pictures beside it.
+// A page of figures as one HTML file that needs neither network nor script to be read. Pictures are files beside it.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace lambent::report {
 
-/// Something measured, under the picture it was measured in.
+/// A measured number, shown under its picture.
 struct Number {
     std::string name, value; ///< as shown: "relative error", "1.3 %"
 };
@@ -16,23 +16,23 @@ struct PagePicture {
     std::string file; ///< relative to the page
     int width = 0, height = 0;
     std::string title;                 ///< a few words: "e = 700"
-    std::string alt;                   ///< what is to be seen
-    std::vector<std::string> commands; ///< that make the file, in order, as typed
+    std::string alt;                   ///< describes the picture
+    std::vector<std::string> commands; ///< make the file, in order; as typed
     std::vector<Number> numbers;
 };
 
-/// Pictures side by side, all framed alike.
+/// Pictures side by side, in boxes of one size.
 struct Gallery {
     std::vector<PagePicture> pictures;
 };
 
-/// Pictures in rows and columns, as a table; row by row, and as many as rows times columns.
+/// Pictures in a table, row by row. Their number is that of rows times that of columns.
 struct Matrix {
     std::vector<std::string> rows, columns; ///< titles
     std::vector<PagePicture> pictures;
 };
 
-/// Two or more pictures of one size, of which any two lie on each other with a slider between them.
+/// Two or more pictures of one size. Any two can be laid over each other, divided by a slider.
 struct Comparison {
     std::vector<PagePicture> pictures;
 };
@@ -54,16 +54,18 @@ struct Plot {
     std::vector<Curve> curves;
 };
 
+using FigureBody = std::variant<Gallery, Matrix, Comparison, Table, Plot>;
+
 struct Figure {
-    std::string id; ///< of the page, in lower case with dashes
+    std::string id; ///< in lower case with dashes
     std::string title;
     std::string caption; ///< plain text
-    std::variant<Gallery, Matrix, Comparison, Table, Plot> content;
+    FigureBody content;
 };
 
 struct Section {
     std::string id, title;
-    std::vector<std::string> text; ///< paragraphs, plain
+    std::vector<std::string> text; ///< paragraphs of plain text
     std::vector<Figure> figures;
 };
 
@@ -71,13 +73,13 @@ struct Page {
     std::string title, lead;
     PagePicture cover;
     std::vector<Section> sections;
-    std::vector<Number> facts; ///< how it was made, at the end
+    std::vector<Number> facts; ///< how the page was made; shown at its end
 };
 
 /// The whole index.html, UTF-8. Every text in it is escaped.
 std::string to_html(const Page& page);
 
-/// The same as numbers for programs: sections, figures, pictures with their commands and numbers, tables and curves.
+/// The page as JSON, for programs: sections, figures, pictures with their commands and numbers, tables and curves.
 std::string to_json(const Page& page);
 
 } // namespace lambent::report

@@ -1,5 +1,5 @@
 'use strict';
-// Everything can be read without this script: it adds sliders, the viewer, copy buttons and the theme.
+// The page can be read without this script. It adds sliders, the viewer, copy buttons and the theme.
 (() => {
     const root = document.documentElement;
     const all = (selector, within = document) => [...within.querySelectorAll(selector)];
@@ -10,15 +10,15 @@
         return element;
     };
 
-    // Storage may be forbidden, for files above all.
+    // Browsers may forbid storage, for local files in particular.
     const stored = () => {
         try { return localStorage.getItem('lambent-theme'); } catch { return null; }
     };
     const store = theme => {
-        try { localStorage.setItem('lambent-theme', theme); } catch { /* it lasts as long as the page */ }
+        try { localStorage.setItem('lambent-theme', theme); } catch { /* the theme lasts until the page is closed */ }
     };
 
-    // At once: before anything is seen in the wrong colours.
+    // Applied at once, before the page is painted in the wrong colours.
     const chosen = stored();
     if (chosen === 'light' || chosen === 'dark') root.dataset.theme = chosen;
 
@@ -38,7 +38,7 @@
 
     const say = words => { document.getElementById('said').textContent = words; };
 
-    // Where the clipboard is not to be had the command is selected, ready for the keyboard.
+    // Where the clipboard is not available, the command is selected instead, for copying by keyboard.
     async function copy(button) {
         const code = button.parentElement.querySelector('code');
         let done = 'Copied';
@@ -112,7 +112,7 @@
 
     function makeChoosers(pictures, shown, show) {
         const choosers = ['Left', 'Right'].map((name, i) => makeChooser(name, pictures, choice => {
-            // The same picture on both sides would show nothing: they change places.
+            // The same picture on both sides would show nothing: the sides are exchanged.
             if (shown[1 - i] === choice) shown[1 - i] = shown[i];
             shown[i] = choice;
             write();
@@ -123,7 +123,7 @@
         return make('div', { className: 'choosers' }, ...choosers.map(({ label }) => label));
     }
 
-    // The picture at large, with what belongs to it.
+    // Shows a picture enlarged, with its numbers and commands.
     function startViewer() {
         const viewer = document.getElementById('viewer'), views = all('.view');
         const part = selector => viewer.querySelector(selector);
@@ -177,7 +177,7 @@
         return parts;
     }
 
-    // The browser keeps the focus from the page but not from its own bars.
+    // A modal dialog keeps the focus out of the page, but not out of the browser's own controls.
     function keepFocus(viewer, event) {
         const stops = all('button, summary, a[href]', viewer).filter(stop => stop.checkVisibility());
         const end = event.shiftKey ? stops[0] : stops.at(-1);
@@ -186,7 +186,7 @@
         (event.shiftKey ? stops.at(-1) : stops[0]).focus();
     }
 
-    // Marks where the reader is in the contents beside the text.
+    // Marks the section being read in the contents beside the text.
     function startContents() {
         const places = new Map(all('.beside > ol > li').map(item =>
             [item.querySelector('a').getAttribute('href').slice(1), item]));

@@ -103,7 +103,7 @@ std::string to_json(const Page& page)
                        {"cover", json_of(page.cover)},
                        {"sections", sections},
                        {"facts", json_of(page.facts)}};
-    // What is not UTF-8 is shown as such instead of failing.
+    // Invalid UTF-8 is replaced by U+FFFD; it is no error.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

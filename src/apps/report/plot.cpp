@@ -14,11 +14,11 @@ namespace {
 
 constexpr std::size_t colours = 6, dashes = 5;
 
-// One drawing: the size of all of it, and where the axes are in it.
+// The size of a drawing and the positions of its axes, in SVG units.
 struct Layout {
     const char* name;
     double width, height, left, top, right, bottom;
-    int x_room, y_room; // ticks with labels
+    int x_room, y_room; // most ticks with labels
 };
 
 constexpr Layout wide{"wide", 820, 440, 78, 14, 806, 384, 12, 9};
@@ -37,7 +37,7 @@ bool can_show(double value)
     return std::isfinite(value) && value > 0;
 }
 
-// The largest of 1, 2 or 5 of a decade that is not above `value`.
+// The largest of 1, 2 or 5 times a power of ten that is not above `value`.
 double step_below(double value)
 {
     const double decade = std::pow(10.0, std::floor(std::log10(value)));
@@ -124,7 +124,7 @@ std::string titles(const Plot& plot, const Layout& box)
            escape(plot.y_title) + "</text>\n";
 }
 
-// Six shapes of about the same weight, around 0.
+// Six markers of about the same area, centred at the origin.
 std::string marker_path(std::size_t index)
 {
     static constexpr std::array<const char*, colours> paths{
@@ -149,7 +149,7 @@ std::size_t points_of(const Curve& curve)
     return std::min(curve.x.size(), curve.y.size());
 }
 
-// Lines between neighbours that can be shown, a marker with its numbers on each.
+// Lines between neighbouring points that can be shown, and on each a marker titled with its numbers.
 std::string curve_html(const Curve& curve, std::size_t index, const Axes& axes)
 {
     std::string lines, markers, points;
@@ -215,7 +215,7 @@ LogAxis axis_of(const std::vector<double>& values)
     if (most == 0)
         return {};
     LogAxis axis{step_below(least), step_above(most)};
-    if (!(axis.most > axis.least)) // one value, a round one
+    if (!(axis.most > axis.least)) // all values are one, and it is round
         axis = {axis.least / 2, axis.most * 2};
     return axis;
 }

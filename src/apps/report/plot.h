@@ -8,7 +8,7 @@
 
 namespace lambent::report {
 
-/// A logarithmic axis over whole numbers of decades, or from 1, 2 or 5 of one to 1, 2 or 5 of another.
+/// A logarithmic axis whose ends are 1, 2 or 5 times powers of ten.
 struct LogAxis {
     double least = 1, most = 10;
 
@@ -16,7 +16,7 @@ struct LogAxis {
     double position(double value) const;
 };
 
-/// The axis that holds all values which are above 0 and finite.
+/// The shortest axis that contains all finite values above 0; 1 to 10 without any.
 LogAxis axis_of(const std::vector<double>& values);
 
 struct Tick {
@@ -25,13 +25,13 @@ struct Tick {
     bool is_decade = true; ///< a stronger line
 };
 
-/// No more labels than about `room`.
+/// The ticks of an axis, about `room` of which at most have labels.
 std::vector<Tick> ticks_of(const LogAxis& axis, int room);
 
-/// Legend, and the drawing in a wide and in a narrow form, of which one is always hidden.
+/// The legend, and a drawing each for wide and for narrow pages, one of which the style hides.
 std::string plot_html(const Plot& plot);
 
-/// One row for each place on the x axis, one column for each curve.
+/// The curves as a table: one row for each value of x, one column for each curve.
 Table plotted_numbers(const Plot& plot);
 
 } // namespace lambent::report

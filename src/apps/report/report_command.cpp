@@ -7,7 +7,7 @@
 #include "apps/common/stopwatch.h"
 #include "apps/common/threads.h"
 #include "base/version.h"
-#include "apps/report/report_context.h"
+#include "apps/report/make_page.h"
 #include "base/file.h"
 #include "base/text.h"
 
@@ -21,10 +21,10 @@
 namespace lambent::cli {
 namespace {
 
-// Thrown where the user is found to have asked for an end.
+// Thrown when the user has interrupted the program.
 struct Stopped {};
 
-// What a page takes on two ordinary cores, in the renderer's reckoning.
+// The work of a page in seconds on two cores, by the renderer's estimates.
 constexpr double seconds_of_a_quick_page = 8.0, seconds_of_a_page = 77.0;
 
 report::ShotRendererSettings workshop_settings(const ReportArguments& arguments, const NewFolder& folder)
@@ -41,36 +41,16 @@ report::ShotRendererSettings workshop_settings(const ReportArguments& arguments,
     return settings;
 }
 
-report::PagePicture cover(report::ReportContext& context)
-{
-    return context.renderer.picture(
-        {"grid.jpg", "grid --camera 25,10 --fov 30 --tone neutral --exposure 0.7 --size 960x540",
-         "49 spheres in one room",
-         "49 gold spheres, rougher to the right, more metallic upwards, before a kitchen"});
-}
-
-report::Page make_page(report::ReportContext& context)
-{
-    report::Page page;
-    page.title = "Physically based and image based lighting";
-    page.lead =
-        "A deferred renderer of 2014, figure by figure, and what has come of it: every picture drawn again "
-        "by lambent, measured, and held against a path-traced reference.";
-    page.cover = cover(context);
-    page.sections = {gallery(context),       own_pipeline(context), direct_light(context),
-                     diffuse_light(context), background(context),   specular_light(context),
-                     passes(context),        beyond(context),       making(context)};
-    return page;
-}
-
 void add_facts(const ReportArguments& arguments, const Stopwatch& watch, report::Page& page)
 {
-    page.facts = {{"program", text("lambent ", version)},
-                  {"environment", arguments.environment},
-                  {"size of a figure", text(arguments.width, " x ", arguments.height)},
-                  {"threads", text(arguments.common.threads > 0 ? arguments.common.threads
-                                                                : tbb::info::default_concurrency())},
-                  {"time", text(report::rounded(watch.total_ms() / 1000.0), " s")}};
+    const auto label = [](const char* name) { return report::built_in_content().label(name); };
+    const int threads =
+        arguments.common.threads > 0 ? arguments.common.threads : tbb::info::default_concurrency();
+    page.facts = {{label("program"), text("lambent ", version)},
+                  {label("environment"), arguments.environment},
+                  {label("size"), text(arguments.width, " x ", arguments.height)},
+                  {label("threads"), text(threads)},
+                  {label("time"), text(report::rounded(watch.total_ms() / 1000.0), " s")}};
 }
 
 void write_text(const std::string& content, const std::filesystem::path& path)
@@ -81,11 +61,11 @@ void write_text(const std::string& content, const std::filesystem::path& path)
 void print_stats(const ReportArguments& arguments, const report::ReportContext& context,
                  const Stopwatch& watch)
 {
-    // Without references there is none, and where one is not known neither is the largest.
+    // The largest noise is unknown without references, and where that of any reference is.
     constexpr double unknown = std::numeric_limits<double>::infinity();
     double noise = context.entries.empty() ? unknown : 0.0;
     for (const report::Entry& entry : context.entries)
-        noise = std::max(noise, entry.proof.noise.value_or(unknown));
+        noise = std::max(noise, entry.comparison.noise.value_or(unknown));
     nlohmann::ordered_json stats = {{"command", "report"},
                                     {"environment", arguments.environment},
                                     {"output", arguments.output},
@@ -115,9 +95,9 @@ void make_report(const ReportArguments& arguments, const Interrupt& interrupt, C
         console.progress(static_cast<float>(std::min(seconds / all, 0.99)));
     };
     report::ShotRenderer renderer(settings);
-    report::ReportContext context{renderer, !arguments.quick, {}};
+    report::ReportContext context{report::built_in_content(), renderer, !arguments.quick, {}};
     try {
-        report::Page page = make_page(context);
+        report::Page page = report::make_page(context);
         std::vector<std::string> files = renderer.finish();
         console.end_progress();
         console.warn_of_input(renderer.warnings(), arguments.common);

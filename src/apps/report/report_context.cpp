@@ -1,19 +1,66 @@
 #include "apps/report/report_context.h"
 
 #include "base/text.h"
+#include "compare/appearance.h"
+
+#include <cmath>
+#include <stdexcept>
 
 namespace lambent::report {
+namespace {
 
-PagePicture ReportContext::proven(const Shot& shot, const std::string& figure)
+Shot filled_shot(const FigureData& figure, const std::string& words, const Values& values)
+{
+    const Shot& pattern = figure.shot->shot;
+    return {fill(pattern.name, values), words, fill(pattern.title, values), fill(pattern.alt, values),
+            pattern.lit};
+}
+
+const ShotPattern& pattern_of(const FigureData& figure)
+{
+    if (!figure.shot)
+        throw std::logic_error(text("the figure ", figure.id, " has no shots of its own"));
+    return *figure.shot;
+}
+
+} // namespace
+
+PagePicture ReportContext::compared(const Shot& shot, const std::string& figure)
 {
     PagePicture picture = renderer.picture(shot);
     if (!references)
         return picture;
-    Proof proof = renderer.prove(shot);
-    picture.numbers.push_back({"error", percent(proof.error)});
-    picture.numbers.push_back({"reference's noise", noise_text(proof.noise)});
-    entries.push_back({figure, std::move(proof)});
+    ReferenceComparison comparison = renderer.compare_with_reference(shot);
+    picture.numbers.push_back({content.label("error"), percent(comparison.error)});
+    picture.numbers.push_back({content.label("noise"), noise_text(comparison.noise)});
+    entries.push_back({figure, std::move(comparison)});
     return picture;
+}
+
+Values values_of(const Content& content, const FigureData& figure, const Values& own)
+{
+    Values values = content.values(figure, own);
+    const auto scale = values.find("texel_scale"), power = values.find("texel_power"),
+               exposure = values.find("exposure");
+    if (scale != values.end() && power != values.end() && exposure != values.end())
+        values["scaled_exposure"] = rounded(
+            std::pow(std::stod(scale->second), std::stod(power->second)) * std::stod(exposure->second), 4);
+    return values;
+}
+
+Shot shot_of(const Content& content, const FigureData& figure, const Values& own)
+{
+    const Values values = values_of(content, figure, own);
+    return filled_shot(figure, fill(pattern_of(figure).shot.words, values), values);
+}
+
+Shot converged_shot_of(const Content& content, const FigureData& figure, const Values& own)
+{
+    Values values = values_of(content, figure, own);
+    values["command"] = fill(pattern_of(figure).shot.words, values);
+    if (figure.shot->converged.empty())
+        throw std::logic_error(text("the shots of ", figure.id, " have no \"converged\""));
+    return filled_shot(figure, fill(figure.shot->converged, values), values);
 }
 
 double mean_on_surfaces(const image::RadianceImage& light)
@@ -27,24 +74,14 @@ double mean_on_surfaces(const image::RadianceImage& light)
     return sum / covered;
 }
 
-Matrix transposed(const Matrix& matrix)
+double saturation(ShotRenderer& renderer, const Shot& shot)
 {
-    Matrix turned{matrix.columns, matrix.rows, {}};
-    turned.pictures.reserve(matrix.pictures.size());
-    for (std::size_t column = 0; column < matrix.columns.size(); ++column)
-        for (std::size_t row = 0; row < matrix.rows.size(); ++row)
-            turned.pictures.push_back(matrix.pictures.at(row * matrix.columns.size() + column));
-    return turned;
+    return compare::mean_saturation(renderer.codes(shot), renderer.frame(shot).radiance);
 }
 
-Shot reflecting(int exponent, const std::string& levels)
+double code_difference(ShotRenderer& renderer, const Shot& a, const Shot& b)
 {
-    return {text("specular-", exponent, levels == "report" ? "-report" : ""),
-            text("painted --model phong --kd 0.02,0.02,0.02 --ks 0.9,0.9,0.9 --alpha ", exponent,
-                 " --mip-level ", levels, " --camera 240,14,2.6 --fov 34"),
-            text("\u03b1 = ", exponent),
-            text("A sphere on a plane, both reflecting with exponent ", exponent,
-                 levels == "report" ? ", by the report's levels" : ", by matched levels")};
+    return compare::code_difference(renderer.codes(a), renderer.codes(b));
 }
 
 } // namespace lambent::report

@@ -1,6 +1,7 @@
-// What the sections of the page are written with.
+// The state that the functions which make figures share, and helpers for them.
 #pragma once
 
+#include "apps/report/content/content.h"
 #include "apps/report/shot_renderer.h"
 
 #include <string>
@@ -9,43 +10,41 @@
 
 namespace lambent::report {
 
-/// A figure's picture and how far it was found to be from its reference.
+/// A picture that was compared with its reference.
 struct Entry {
-    std::string figure; ///< as it is named in the table
-    Proof proof;
+    std::string figure; ///< the picture's name in the table of errors
+    ReferenceComparison comparison;
 };
 
 struct ReportContext {
+    const Content& content;
     ShotRenderer& renderer;
-    bool references = true; ///< without them no errors
+    bool references = true; ///< whether pictures are compared with path-traced references
     std::vector<Entry> entries;
 
-    /// Draws a shot, and proves it where there are references: its error goes under the picture and into `entries`.
-    PagePicture proven(const Shot& shot, const std::string& figure);
+    /// Draws a shot. With references it is compared with its own: the error is added to the picture's numbers, and to
+    /// `entries` under the name `figure`.
+    PagePicture compared(const Shot& shot, const std::string& figure);
 };
 
-/// The sections, in the order of the page. Later ones use what earlier ones have drawn.
-Section gallery(ReportContext& context);
-Section own_pipeline(ReportContext& context);
-Section direct_light(ReportContext& context);
-Section diffuse_light(ReportContext& context);
-Section background(ReportContext& context);
-Section specular_light(ReportContext& context);
-Section passes(ReportContext& context);
-Section beyond(ReportContext& context);
-Section making(const ReportContext& context);
+/// The values of all placeholders of a figure's patterns: Content::values, and {scaled_exposure} where these have
+/// {texel_scale}, {texel_power} and {exposure}. It is texel_scale^texel_power * exposure, which has the effect of
+/// scaling the texels in a pipeline that raises them to that power.
+Values values_of(const Content& content, const FigureData& figure, const Values& own);
 
-/// The mean of what surfaces send towards the viewer, over all pixels and colours of them.
+/// The figure's shot, filled with values. Throws std::logic_error where the figure has none or a placeholder no value.
+Shot shot_of(const Content& content, const FigureData& figure, const Values& own);
+
+/// The same shot with as many samples as its method needs to converge.
+Shot converged_shot_of(const Content& content, const FigureData& figure, const Values& own);
+
+/// The mean radiance of surfaces towards the camera, over the pixels that they cover and over the colour channels.
 double mean_on_surfaces(const image::RadianceImage& light);
 
-/// Rows as columns: pictures that are to be compared stand side by side, and as large as few columns leave them.
-Matrix transposed(const Matrix& matrix);
+/// The mean saturation of a shot's surfaces as displayed, 0 to 1: see compare::mean_saturation.
+double saturation(ShotRenderer& renderer, const Shot& shot);
 
-/// The report's figures of direct light: three of a sphere at exponent 0.1, a teapot at 20000, a plane at 20.
-std::vector<Shot> direct_shots();
-
-/// The report's reflecting sphere on its ground, at an exponent; `levels` is the --mip-level.
-Shot reflecting(int exponent, const std::string& levels);
-constexpr int reflecting_exponents[] = {1, 625, 15625, 390625};
+/// RMS of the difference of two shots' codes, relative to the largest code.
+double code_difference(ShotRenderer& renderer, const Shot& a, const Shot& b);
 
 } // namespace lambent::report

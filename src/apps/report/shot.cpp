@@ -26,7 +26,7 @@ Words without(const Words& words, std::span<const std::string_view> options)
         if (std::find(options.begin(), options.end(), words[i]) == options.end())
             left.push_back(words[i]);
         else if (words[i] != "--dither")
-            ++i; // the value too
+            ++i; // its value too
     }
     return left;
 }
@@ -64,7 +64,7 @@ cli::ReferenceArguments parse_reference(Words words)
 
 Words without_display(const Words& words)
 {
-    // In the report's pipeline they come before the light.
+    // In the report's pipeline these options apply before the light is summed.
     if (std::find(words.begin(), words.end(), "--pipeline") != words.end())
         return words;
     return without(words, display_options);

@@ -1,7 +1,8 @@
-// One picture of the page, named by the command that draws it.
+// The words of a shot's command, and numbers as the page shows them.
 #pragma once
 
 #include "apps/options/arguments.h"
+#include "apps/report/content/figure_data.h"
 
 #include <optional>
 #include <string>
@@ -11,33 +12,25 @@ namespace lambent::report {
 
 using Words = std::vector<std::string>;
 
-struct Shot {
-    std::string name;  ///< of its file, without ".png"; or with ".jpg"
-    std::string words; ///< of `lambent render` between that and -o, apart by spaces: "sphere --model phong"
-    std::string title; ///< as PagePicture's
-    std::string alt;   ///< as PagePicture's
-    bool lit = true;   ///< by the report's environment; else by none
-};
-
-/// A command as it is typed: words with anything special in them in quotes.
+/// A command as typed in a shell: words with special characters are quoted.
 std::string typed(const Words& words);
 
-/// What the words ask for. Throws Error(usage).
+/// Parses the words as arguments of `lambent render`. Throws Error(usage).
 cli::RenderArguments parse_render(Words words);
 
-/// Likewise of `lambent reference`.
+/// Parses the words as arguments of `lambent reference`. Throws Error(usage).
 cli::ReferenceArguments parse_reference(Words words);
 
-/// The words without the options that only say how light is shown. What is left names the light.
+/// The words without display options: they identify the radiance. With --pipeline all words are kept.
 Words without_display(const Words& words);
 
-/// The words without the options that only say how to approximate: the path tracer has no use for them.
+/// The words without the options of approximations, which the path tracer does not have.
 Words without_approximations(const Words& words);
 
-/// "1.3 %", two digits or, from 10 % on, whole.
+/// A share as "1.3 %": two significant digits, three from 10 % on.
 std::string percent(double share);
 
-/// A number with `digits` significant digits; below 0.0001 with an exponent and one less.
+/// A number with `digits` significant digits; below 0.0001 with an exponent and one digit fewer. "-" if not finite.
 std::string rounded(double value, int digits = 3);
 
 /// A share as "1.2 %", or "not known".

@@ -20,7 +20,7 @@
 namespace lambent::report {
 namespace {
 
-// What things take on two ordinary cores, for the progress bar.
+// Estimated seconds of work on two cores, for the progress bar.
 constexpr double seconds_of_a_drawing = 0.1, seconds_of_a_reference = 4.0, seconds_of_a_comparison = 0.5;
 
 std::string scene_key(const cli::RenderArguments& arguments)
@@ -47,14 +47,14 @@ Words output_words(const char* command, Words words, const std::string& file)
 
 } // namespace
 
-image::RadianceImage cut_light(image::RadianceImage light)
+image::RadianceImage clamped_light(image::RadianceImage light)
 {
-    compare::clamp(light, light_cut);
+    compare::clamp(light, light_clamp);
     return light;
 }
 
-// References are traced at exposure 1, where their noise is that of light cut at `light_cut`.
-std::optional<double> cut_noise(const reference::Result& exact)
+// References are traced at exposure 1, at which their noise is estimated of radiance clamped to light_clamp.
+std::optional<double> clamped_noise(const reference::Result& exact)
 {
     return exact.noise ? std::optional(exact.noise->all) : std::nullopt;
 }
@@ -78,7 +78,7 @@ ShotRenderer::~ShotRenderer()
     writing_.cancel();
     try {
         writing_.wait();
-    } catch (...) { // whoever wants to know has called finish()
+    } catch (...) { // finish() reports errors, a destructor cannot
     }
 }
 
@@ -92,7 +92,7 @@ Words ShotRenderer::words_of(const Shot& shot) const
 {
     std::istringstream stream(shot.words);
     Words words{std::istream_iterator<std::string>(stream), std::istream_iterator<std::string>()};
-    // A shot may bring its own light or size.
+    // A shot may set its own environment or size.
     if (std::find(words.begin(), words.end(), "--env") == words.end()) {
         append(words, {"--env", shot.lit ? settings_.environment : "none"});
         if (shot.lit)
@@ -186,7 +186,7 @@ PagePicture ShotRenderer::picture(const Shot& shot)
     return picture;
 }
 
-// With the options for how it is shown.
+// Includes display options.
 Words ShotRenderer::reference_words(const Shot& shot) const
 {
     Words words = without_approximations(words_of(shot));
@@ -227,34 +227,34 @@ PagePicture ShotRenderer::reference_picture(const Shot& shot)
 
 PagePicture ShotRenderer::heat_picture(const Shot& shot)
 {
-    const compare::ErrorMap map =
-        compare::relative_error({cut_light(frame(shot).radiance), cut_light(reference(shot).radiance)});
+    const compare::ErrorMap map = compare::relative_error(
+        {clamped_light(frame(shot).radiance), clamped_light(reference(shot).radiance)});
     image::CodeImage heat = compare::heat_map(map, {"relative error", 1.0, compare::mean(map)});
     const std::string file = shot.name + "-error.png", drawn = shot.name + ".exr",
                       traced = shot.name + "-reference.exr";
-    PagePicture picture{file, heat.width, heat.height, shot.title, "Where it errs: " + shot.alt, {}, {}};
+    PagePicture picture{file, heat.width, heat.height, shot.title, "Error map: " + shot.alt, {}, {}};
     picture.commands = {
         typed(output_words("render", without_display(words_of(shot)), drawn)),
         typed(output_words("reference", without_display(reference_words(shot)), traced)),
-        typed(output_words("compare", {drawn, traced, "--clamp", text(light_cut), "--heat", "relative"},
+        typed(output_words("compare", {drawn, traced, "--clamp", text(light_clamp), "--heat", "relative"},
                            file))};
     write(std::move(heat), file);
     return picture;
 }
 
-Proof ShotRenderer::prove(const Shot& shot)
+ReferenceComparison ShotRenderer::compare_with_reference(const Shot& shot)
 {
-    const image::RadianceImage drawn = cut_light(frame(shot).radiance),
-                               exact = cut_light(reference(shot).radiance);
+    const image::RadianceImage drawn = clamped_light(frame(shot).radiance),
+                               exact = clamped_light(reference(shot).radiance);
     const compare::Pair pair{drawn, exact};
-    Proof proof;
-    proof.reference = reference_picture(shot);
-    proof.heat = heat_picture(shot);
-    proof.error = compare::difference(pair, light_cut).relative_rmse;
-    proof.noise = cut_noise(reference(shot));
-    proof.flip = compare::mean(compare::hdr_flip(pair).map);
+    ReferenceComparison comparison;
+    comparison.reference = reference_picture(shot);
+    comparison.heat = heat_picture(shot);
+    comparison.error = compare::difference(pair, light_clamp).relative_rmse;
+    comparison.noise = clamped_noise(reference(shot));
+    comparison.flip = compare::mean(compare::hdr_flip(pair).map);
     done(seconds_of_a_comparison);
-    return proof;
+    return comparison;
 }
 
 void ShotRenderer::write(image::CodeImage codes, const std::string& name)

@@ -1,4 +1,4 @@
-// Where the pictures of the page are made: everything that two of them share is made once.
+// Draws and traces the pictures of the page. What several shots share is made once: environments, frames, references.
 #pragma once
 
 #include "apps/report/page.h"
@@ -18,32 +18,31 @@ namespace lambent::report {
 
 struct ShotRendererSettings {
     std::string environment = "kitchen";
-    Words size, rotation; ///< options for every shot; none: what `render` takes
-    bool cache = true;    ///< of environments
-    double noise = 0.02;  ///< of references: stop at this estimated relative error of what surfaces cover,
-    int samples = 48;     ///< or at so many samples per pixel
-    std::filesystem::path folder; ///< to be filled with files
-    std::function<void(double)>
-        progress; ///< told the seconds of work that a thing was reckoned to take, when done
+    Words size, rotation;                 ///< options of every shot; empty: the defaults of `render`
+    bool cache = true;                    ///< whether prepared environments are cached
+    double noise = 0.02;                  ///< references stop at this estimated relative error on surfaces,
+    int samples = 48;                     ///< or at this number of samples per pixel
+    std::filesystem::path folder;         ///< receives the files
+    std::function<void(double)> progress; ///< called after each piece of work with its estimated seconds
 };
 
-/// Light is cut at this for comparing: half of full white at exposure 1. The report's BRDF has no bound at grazing
-/// angles, and a few pixels there would be all that a mean square sees.
-constexpr float light_cut = 1.0f;
+/// Radiance is clamped to this before comparing: half of full white at exposure 1. The report's BRDF is unbounded at
+/// grazing angles, where a few pixels would dominate a mean square.
+constexpr float light_clamp = 1.0f;
 
-/// Light so cut.
-image::RadianceImage cut_light(image::RadianceImage light);
+/// The radiance clamped to light_clamp.
+image::RadianceImage clamped_light(image::RadianceImage light);
 
-/// The estimated error of a reference over all its pixels, its light cut, relative to its mean.
-/// Nothing where it is not known: see reference::Film::noise.
-std::optional<double> cut_noise(const reference::Result& exact);
+/// The estimated relative error of a reference, its radiance clamped, over all its pixels. Empty where it is unknown:
+/// see reference::Film::noise.
+std::optional<double> clamped_noise(const reference::Result& exact);
 
-/// What is left of a relative error without the reference's noise, which is independent of it: their squares differ by
-/// it. Where that is not known, nothing is taken off.
+/// A relative error without the reference's noise, which is independent of it: sqrt(error^2 - noise^2), at least 0. The
+/// error as it is where the noise is unknown.
 double without_noise(double error, const std::optional<double>& noise);
 
-/// A picture beside its path-traced reference, both cut.
-struct Proof {
+/// A picture compared with its path-traced reference, both clamped.
+struct ReferenceComparison {
     PagePicture reference, heat;
     double error = 0.0;          ///< relative RMSE, as `lambent compare` measures it
     std::optional<double> noise; ///< the reference's own, estimated
@@ -57,34 +56,34 @@ public:
     ShotRenderer(const ShotRenderer&) = delete;
     ShotRenderer& operator=(const ShotRenderer&) = delete;
 
-    /// Draws a shot and writes its file, with its command and no numbers yet.
+    /// Draws a shot and writes its file. The result has the shot's command and no numbers.
     PagePicture picture(const Shot& shot);
 
-    /// A shot's light; drawn at the first call. Stays where it is.
+    /// A shot's frame, drawn at the first call and kept as long as the renderer.
     const draw::Frame& frame(const Shot& shot);
 
-    /// The same with all layers, not kept.
+    /// The same frame with all layers; drawn at each call.
     draw::Frame layers(const Shot& shot);
 
     /// A shot's codes, as in its file.
     image::CodeImage codes(const Shot& shot);
 
-    /// The reference of a shot, traced at the first call for its light, without shadows. Stays where it is.
+    /// A shot's path-traced reference, without shadows; traced at the first call and kept as long as the renderer.
     const reference::Result& reference(const Shot& shot);
 
-    /// Compares a shot with its reference and writes both pictures of that.
-    Proof prove(const Shot& shot);
+    /// Compares a shot with its reference, and writes the reference's picture and the heat map.
+    ReferenceComparison compare_with_reference(const Shot& shot);
 
     /// All words of a shot's command between `lambent render` and -o.
     Words words_of(const Shot& shot) const;
 
-    /// Where the shot looks from.
+    /// The shot's camera.
     view::Camera camera(const Shot& shot);
 
     /// Writes codes as a file of the folder, in the background.
     void write(image::CodeImage codes, const std::string& name);
 
-    /// Waits for all files and names them. Throws Error(cannot_write).
+    /// Waits until all files are written and returns their names. Throws Error(cannot_write).
     std::vector<std::string> finish();
 
     const ShotRendererSettings& settings() const { return settings_; }
@@ -104,7 +103,7 @@ private:
 
     ShotRendererSettings settings_;
     Warnings warnings_;
-    std::unique_ptr<Stage> stage_; ///< the scene at work
+    std::unique_ptr<Stage> stage_; ///< the current scene
     std::map<std::string, std::optional<environment::Environment>> environments_;
     std::map<std::string, std::optional<image::RadianceImage>> raw_environments_;
     std::map<Words, draw::Frame> frames_;

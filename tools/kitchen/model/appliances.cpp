@@ -11,7 +11,7 @@ namespace {
 
 constexpr float two_pi = 2.0f * std::numbers::pi_v<float>;
 
-// A flat ring that lies on the site.
+// A flat ring lying on the site.
 void add_ring(const Site& site, Stuff stuff, float radius, float thickness)
 {
     constexpr float height = 0.0008f;
@@ -29,7 +29,7 @@ void add_knob(const Site& front, const glm::vec3& place)
         Stuff::steel, {{{0.0f, 0.0f}, {0.02f, 0.0f}, {0.019f, 0.02f}, {0.016f, 0.023f}, {0.0f, 0.023f}}, 24});
 }
 
-// A long handle standing off the front by a hand's width.
+// A long bar handle in front of the door.
 void add_grip(const Site& front, const glm::vec3& from, const glm::vec3& to)
 {
     const glm::vec3 out(0.0f, 0.0f, 0.05f);
@@ -73,7 +73,7 @@ void add_oven(const Site& site)
     for (const float x : {-0.21f, 0.21f})
         add_knob(site, {x, 0.522f, 0.022f});
     add_grip(site, {-0.24f, 0.415f, 0.022f}, {0.24f, 0.415f, 0.022f});
-    // The window's frame: a line of steel in the glass.
+    // The frame of the window: a line of steel in the glass.
     for (const float y : {0.06f, 0.34f})
         site.box(Stuff::steel, {{-0.22f, y, 0.02f}, {0.22f, y + 0.004f, 0.0235f}, 0.001f});
     for (const float x : {-0.22f, 0.216f})
@@ -82,7 +82,7 @@ void add_oven(const Site& site)
 
 void add_hood(const Site& site)
 {
-    // A flat body, a slope made of a turned square, and the duct up to the ceiling.
+    // A flat body, a slope of thin boxes and the duct up to the ceiling.
     site.box(Stuff::steel, {{-0.45f, 0.0f, 0.008f}, {0.45f, 0.07f, 0.50f}, 0.006f, 2, 0});
     constexpr int layers = 9;
     for (int i = 0; i < layers; ++i) {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr float gap = 0.004f, thickness = 0.02f;
 
-// Drawers get deeper downwards.
+// Lower drawers are higher than upper ones.
 constexpr float drawer_ends[] = {0.0f, 0.4f, 0.74f, 1.0f};
 
 void add_drawers(const Site& wall, const Cabinet& c, float left, float right)
@@ -23,7 +23,7 @@ void add_drawers(const Site& wall, const Cabinet& c, float left, float right)
     }
 }
 
-// Neighbours open away from each other.
+// Neighbouring doors open away from each other.
 void add_door(const Site& wall, const Cabinet& c, float left, float right, bool handle_right)
 {
     add_front(wall, {{left, c.low.y}, {right, c.high.y}, c.depth - thickness, c.stuff, c.tint});
@@ -58,7 +58,7 @@ void add_handle(const Site& wall, const glm::vec3& from, const glm::vec3& to)
 
 void add_cabinet(const Site& wall, const Cabinet& c)
 {
-    // The body is a little smaller than its fronts and dark where it shows between them.
+    // The body is a little smaller than its fronts, and dark where it is visible between them.
     const float body = c.depth - thickness - 0.002f;
     BoxShape inside{{c.low.x + 0.003f, c.low.y + 0.003f, 0.0f}, {c.high.x - 0.003f, c.high.y - 0.003f, body}};
     wall.box(c.stuff, inside, 0.6f * c.tint);

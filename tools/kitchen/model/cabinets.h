@@ -1,4 +1,4 @@
-// Cabinets: boxes with fronts, gaps between these, and handles.
+// Cabinets: boxes with fronts, gaps between the fronts, and handles.
 #pragma once
 
 #include "kitchen/model/site.h"
@@ -7,15 +7,15 @@ namespace lambent::kitchen {
 
 enum class Fronts { doors, drawers, tall_doors };
 
-/// In the axes of a wall's site: +Z into the room.
+/// A cabinet in the axes of a wall's site: +Z into the room.
 struct Cabinet {
     glm::vec2 low, high; ///< along the wall and upwards
-    float depth = 0.6f;  ///< with fronts
+    float depth = 0.6f;  ///< including fronts
     int columns = 1;
     Fronts fronts = Fronts::doors;
     Stuff stuff = Stuff::wood;
     glm::vec3 tint{1.0f};
-    bool handles_low = false; ///< at the lower ends of the doors: for those above one's head
+    bool handles_low = false; ///< at the lower ends of the doors, for wall cabinets
 };
 void add_cabinet(const Site& wall, const Cabinet& cabinet);
 

@@ -1,4 +1,4 @@
-// Plates, cups, bottles, pots and what stands on worktops.
+// Plates, cups, bottles, pots and other objects on worktops.
 #include "kitchen/model/parts.h"
 #include "kitchen/model/plan.h"
 
@@ -7,7 +7,7 @@
 namespace lambent::kitchen {
 namespace {
 
-// A handle like an ear, in the plane of +X and +Y, from `low` to `high` on a wall of this radius.
+// An ear-shaped handle in the plane of +X and +Y, from `low` to `high` on a wall of this radius.
 struct Ear {
     float radius, low, high;
 };

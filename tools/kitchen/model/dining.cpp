@@ -1,4 +1,4 @@
-// The place to eat: table, chairs, lamp, rug, pictures.
+// The dining area: table, chairs, lamp, rug, pictures.
 #include "kitchen/model/parts.h"
 #include "kitchen/model/plan.h"
 
@@ -29,7 +29,7 @@ void add_table(const Site& site)
     site.lathe(Stuff::black, {smooth(foot, 6), 40});
 }
 
-// A picture of hills in flat colours, in a frame. The site is its middle on a wall.
+// A framed picture of a pear or of three lemons. The site is its centre on a wall.
 void add_picture(const Site& wall, const glm::vec2& half, int kind)
 {
     wall.box(Stuff::wood,
@@ -42,7 +42,7 @@ void add_picture(const Site& wall, const glm::vec2& half, int kind)
                                   {0.045f, 0.07f}, {0.02f, 0.12f},  {0.0f, 0.125f}};
         wall.at({0.0f, 0.0f, 0.0f}).lathe(Stuff::fruit, {smooth(pear, 5), 32, 1.2f}, {0.60f, 0.62f, 0.16f});
     } else {
-        // Three lemons, cut.
+        // Three cut lemons.
         for (int i = 0; i < 3; ++i)
             wall.at({0.0f, 0.12f - 0.12f * static_cast<float>(i), 0.022f})
                 .tipped(90.0f)
@@ -61,7 +61,7 @@ void add_chair(const Site& site)
         for (const float z : {-0.16f, 0.16f})
             site.tube(Stuff::wood,
                       {{{x, seat - 0.02f, z}, {1.15f * x, 0.0f, 1.2f * z}}, {0.018f, 0.012f}, 10}, pale_oak);
-    // Sticks and a bent rail.
+    // A back of sticks and a bent rail.
     std::vector<glm::vec3> rail;
     for (int i = -6; i <= 6; ++i) {
         const float t = static_cast<float>(i) / 6.0f;
@@ -91,7 +91,7 @@ void add_clock(const Site& wall)
         dial.at(at, -30.0f * static_cast<float>(hour))
             .box(Stuff::black, {{-half, -0.001f, -0.014f}, {half, 0.002f, 0.014f}});
     }
-    // Ten past ten. Turned against the sun seen from above is clockwise seen from the room.
+    // Ten past ten. A positive turn is counter-clockwise seen from the room.
     dial.at({0.0f, 0.022f, 0.0f}, 55.0f)
         .box(Stuff::black, {{-0.005f, 0.0f, -0.08f}, {0.005f, 0.003f, 0.02f}});
     dial.at({0.0f, 0.026f, 0.0f}, -60.0f)

@@ -1,4 +1,4 @@
-// Fruit, bread and green things.
+// Fruit, bread and plants.
 #include "kitchen/model/parts.h"
 #include "kitchen/model/plan.h"
 
@@ -18,7 +18,7 @@ void add_apple(const Site& site, const glm::vec3& tint)
 
 void add_lemon(const Site& site)
 {
-    // Lies on its side.
+    // The lemon lies on its side.
     const glm::vec2 profile[] = {{0.0f, -0.045f}, {0.006f, -0.042f}, {0.014f, -0.034f}, {0.026f, -0.014f},
                                  {0.027f, 0.01f}, {0.016f, 0.033f},  {0.007f, 0.04f},   {0.0f, 0.043f}};
     site.at({0.0f, 0.028f, 0.0f})
@@ -57,7 +57,7 @@ void add_fruit_bowl(const Site& site)
 void add_cutting_board(const Site& site)
 {
     site.box(Stuff::wood, {{-0.22f, 0.0f, -0.14f}, {0.22f, 0.024f, 0.14f}, 0.008f, 2, 0}, plan::walnut);
-    // A loaf, slices of it, a tomato and a knife.
+    // A loaf, slices, a tomato and a knife.
     std::vector<glm::vec3> loaf;
     std::vector<float> radii;
     for (int i = 0; i <= 14; ++i) {
@@ -117,7 +117,7 @@ void add_herb(const Site& site)
 void add_tall_plant(const Site& site)
 {
     add_pot(site, 0.2f, 0.36f, {0.86f, 0.84f, 0.80f});
-    // Stalks that lean out, each with one great leaf.
+    // Stalks that lean outwards, each with one large leaf.
     for (int i = 0; i < 22; ++i) {
         const Site side = site.at({0.0f, 0.28f, 0.0f}, 137.5f * static_cast<float>(i)); // the golden angle
         const float lean = 0.10f + 0.25f * site.chance(),

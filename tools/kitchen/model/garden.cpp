@@ -1,4 +1,4 @@
-// What stands outside, low enough for the sky and the sun to come in: a terrace, planters and trees.
+// The garden: a terrace, planters and trees, low enough for sky and sun to light the room.
 #include "kitchen/model/parts.h"
 #include "kitchen/model/plan.h"
 
@@ -11,7 +11,7 @@ using namespace plan;
 
 constexpr float ground = -0.12f;
 
-// A cloud of leaves, denser towards its skin. The site is its middle.
+// Random leaves in a ball, denser towards its surface. The site is its centre.
 struct Crown {
     glm::vec3 radii{1.0f};
     int leaves = 1000;
@@ -68,11 +68,11 @@ void add_terrace(const Site& room)
 
 void add_garden(const Site& room)
 {
-    // Lawn without end, as far as one sees it over the sills.
+    // A lawn as large as is visible over the sills.
     room.box(Stuff::cloth, {{-30.0f, ground - 0.2f, -30.0f}, {30.0f, ground, 30.0f}}, {0.13f, 0.19f, 0.05f});
     add_terrace(room);
     add_planter(room.at({-2.0f, 0.0f, south + 3.2f}), 6.0f);
-    // Aside of where the sun comes from.
+    // Trees beside the direction of the sun.
     const glm::vec3 green(0.16f, 0.25f, 0.07f), olive(0.20f, 0.25f, 0.12f);
     add_tree(room.at({8.6f, 0.0f, -8.3f}), 4.6f, green);
     add_tree(room.at({10.5f, 0.0f, -3.4f}, 70.0f), 3.4f, olive);

@@ -1,4 +1,4 @@
-// The island, the stools before it and the lamps over it.
+// The island, its stools and the lamps over it.
 #include "kitchen/model/cabinets.h"
 #include "kitchen/model/parts.h"
 #include "kitchen/model/plan.h"
@@ -22,7 +22,7 @@ std::vector<glm::vec3> circle(float radius, float height, int points)
     return path;
 }
 
-// White boards in frames: along the side of the stools and at both ends.
+// White panels in frames, on the side of the stools and at both ends.
 void add_panels(const Site& site, float length, int count)
 {
     const float width = length / static_cast<float>(count);
@@ -30,7 +30,7 @@ void add_panels(const Site& site, float length, int count)
         const float left = width * static_cast<float>(i);
         site.box(Stuff::lacquer,
                  {{left + 0.002f, 0.1f, 0.0f}, {left + width - 0.002f, 0.878f, 0.018f}, 0.002f}, white);
-        // The frame stands before the panel.
+        // The frame is in front of the panel.
         const auto rail = [&](const glm::vec2& low, const glm::vec2& high) {
             site.box(Stuff::lacquer, {{left + low.x, low.y, 0.01f}, {left + high.x, high.y, 0.03f}, 0.003f},
                      white);
@@ -44,7 +44,7 @@ void add_panels(const Site& site, float length, int count)
 
 void add_body(const Site& room)
 {
-    // Under the top: 0.3 m for knees on the side of the stools, a little on the others.
+    // The top overhangs by 0.3 m on the side of the stools, for knees, and a little on the others.
     const glm::vec2 low = island_low + glm::vec2(0.06f), high = island_high - glm::vec2(0.06f, 0.32f);
     room.box(Stuff::black, {{low.x + 0.05f, 0.0f, low.y + 0.05f}, {high.x - 0.05f, 0.1f, high.y - 0.05f}});
     room.box(Stuff::lacquer, {{low.x, 0.1f, low.y}, {high.x, 0.879f, high.y}}, white);
@@ -97,7 +97,7 @@ void add_stool(const Site& site)
 
 void add_pendant(const Site& site, const glm::vec3& tint, float cord)
 {
-    // A dome of sheet, lacquered outside, with a bulb that looks out below.
+    // A dome of sheet metal, lacquered outside, with a bulb that protrudes below.
     const glm::vec2 outside[] = {
         {0.165f, 0.0f}, {0.16f, 0.05f}, {0.13f, 0.115f}, {0.075f, 0.165f}, {0.03f, 0.19f}};
     const glm::vec2 inside[] = {

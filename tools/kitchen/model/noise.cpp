@@ -20,7 +20,7 @@ float faded(float t)
 
 float hashed(std::uint32_t a, std::uint32_t b)
 {
-    // Multiply and fold: each bit of the input reaches each of the output's.
+    // Multiplications and shifts: each bit of the input affects each bit of the output.
     std::uint32_t h = a * 0x9e3779b1u ^ (b + 0x7f4a7c15u) * 0x85ebca77u;
     h = (h ^ (h >> 15)) * 0x2c1b3c6du;
     h = (h ^ (h >> 12)) * 0x297a2d39u;

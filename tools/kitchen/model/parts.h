@@ -1,32 +1,31 @@
-// The parts of the kitchen. Each is added to a site: what stands on the floor at its own place, what stands on or
-// hangs above something at its foot or its upper end.
+// The parts of the kitchen. Each is added at a site: its foot, or its upper end if it hangs.
 #pragma once
 
 #include "kitchen/model/site.h"
 
 namespace lambent::kitchen {
 
-// To the whole room.
+// Parts whose site is the whole room.
 void add_room(const Site& room);     ///< floor, walls with openings, ceiling, baseboards, spots
 void add_windows(const Site& room);  ///< frames, sill
 void add_garden(const Site& room);   ///< outside
 void add_cabinets(const Site& room); ///< along the walls, with worktops, shelves and tiles
 void add_island(const Site& room);   ///< with stools and lamps
-void add_things(const Site& room);   ///< all that stands around
+void add_things(const Site& room);   ///< small objects and plants
 void add_dining(const Site& room);   ///< table, chairs, lamp, rug, pictures
 
-// Along a wall or in a worktop: the site is on the wall (z = 0, +Z into the room) or on the top's surface.
+// Parts along a wall or in a worktop: the site is on the wall (z = 0, +Z into the room) or on the worktop's surface.
 void add_fridge(const Site& site);
-void add_oven(const Site& site); ///< 0.56 m wide and 0.58 high, its front's lower middle at the site
+void add_oven(const Site& site); ///< 0.56 m wide and 0.58 high, the lower middle of its front at the site
 void add_hood(const Site& site);
 void add_cooktop(const Site& site);
 void add_sink(const Site& site);
 
 void add_stool(const Site& site);
 void add_chair(const Site& site);
-void add_pendant(const Site& site, const glm::vec3& tint, float cord); ///< the site is at the rim's middle
+void add_pendant(const Site& site, const glm::vec3& tint, float cord); ///< the site is the rim's centre
 
-// Crockery: stands on the site.
+// Crockery, which stands on the site.
 void add_plate(const Site& site, const glm::vec3& tint);
 void add_bowl(const Site& site, const glm::vec3& tint);
 void add_cup(const Site& site, const glm::vec3& tint);
@@ -41,7 +40,7 @@ void add_utensils(const Site& site);
 void add_knife_block(const Site& site);
 void add_books(const Site& site, int count);
 
-// Food and plants.
+// Food and plants, which stand on the site.
 void add_fruit_bowl(const Site& site);
 void add_apple(const Site& site, const glm::vec3& tint);
 void add_lemon(const Site& site);

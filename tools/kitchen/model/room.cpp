@@ -11,7 +11,7 @@ using namespace plan;
 
 const glm::vec3 warm_white(1.0f, 0.975f, 0.93f);
 
-// Planks of different lengths side by side along Z, with joints between them.
+// Planks of different lengths along Z, with joints between them.
 void add_floor(const Site& room)
 {
     room.box(Stuff::black, {{west - wall, -0.3f, north - wall}, {east + wall, -0.015f, south + wall}});
@@ -32,7 +32,7 @@ void add_floor(const Site& room)
     }
 }
 
-// A wall without openings, or the boxes around one. The site is at the middle of its foot.
+// A wall: one box without openings, or boxes around an opening. The site is at the middle of the wall's foot.
 void add_wall(const Site& site, const glm::vec2& ends, const plan::Opening* opening, const glm::vec3& tint)
 {
     const auto piece = [&](const glm::vec2& low, const glm::vec2& high) {
@@ -55,7 +55,7 @@ void add_baseboard(const Site& site, float from, float to)
     site.box(Stuff::lacquer, board, white);
 }
 
-// Lamps let into the ceiling.
+// Lamps recessed into the ceiling.
 void add_spots(const Site& room)
 {
     for (const float x : {-1.9f, -0.55f, 0.8f, 2.1f})
@@ -77,7 +77,7 @@ void add_room(const Site& room)
     add_floor(room);
     room.box(Stuff::plaster,
              {{west - wall, ceiling, north - wall}, {east + wall, ceiling + wall, south + wall}}, white);
-    // Where walls meet, both go on to the outer corner.
+    // Both walls extend to the outer corner where they meet.
     const glm::vec2 across(west - wall, east + wall);
     add_wall(room.at({0.0f, 0.0f, north}), across, nullptr, warm_white);
     add_wall(room.at({0.0f, 0.0f, south}, 180.0f), across, &patio_door, warm_white);

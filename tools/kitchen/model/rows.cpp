@@ -12,7 +12,7 @@ using namespace plan;
 
 constexpr float kick = 0.1f, front = counter_depth - 0.02f;
 
-// The shadow below a row of cabinets.
+// The dark plinth below a row of cabinets.
 void add_toe_kick(const Site& wall, float from, float to)
 {
     wall.box(Stuff::black, {{from, 0.0f, 0.0f}, {to, kick, front - 0.06f}});
@@ -55,7 +55,7 @@ void add_north_row(const Site& room)
     add_fridge(wall.at({-2.32f, 0.0f, 0.0f}));
     add_cabinet(wall,
                 {{-2.78f, 1.97f}, {-1.86f, cabinet_top}, 0.62f, 2, Fronts::doors, Stuff::wood, oak, true});
-    // A tall cabinet with the oven at the height of one's hands.
+    // A tall cabinet with the oven at hand height.
     add_toe_kick(wall, -1.85f, -1.23f);
     add_cabinet(wall, {{-1.85f, kick}, {-1.23f, 0.86f}, 0.62f, 1, Fronts::drawers, Stuff::wood, oak});
     add_cabinet(wall,
@@ -116,7 +116,7 @@ void add_west_row(const Site& room)
     add_shelf(wall, {-1.2f, 1.6f}, 1.90f);
 }
 
-// Strips of light below what hangs over the worktops.
+// Light strips below the cabinets and shelves over the worktops.
 void add_strips(const Site& room)
 {
     const Site wall = room.at({0.0f, 0.0f, north});

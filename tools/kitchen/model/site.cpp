@@ -13,7 +13,7 @@ Site::Site(Work& work) : work_(&work)
     Stuffs stuffs = make_stuffs();
     scene.materials = std::move(stuffs.materials);
     scene.images = std::move(stuffs.images);
-    // One mesh for each material: few large ones are quicker to trace than many small ones.
+    // One mesh for each material: few large meshes are faster to trace than many small ones.
     for (int i = 0; i < static_cast<int>(Stuff::count); ++i) {
         scene.meshes.emplace_back().material = i;
         scene.instances.push_back({i, -1, glm::mat4(1.0f)});

@@ -1,4 +1,4 @@
-// Where parts of the kitchen are put together.
+// Coordinate systems in which the parts of the kitchen are built.
 #pragma once
 
 #include "kitchen/model/solids.h"
@@ -10,33 +10,34 @@
 
 namespace lambent::kitchen {
 
-/// What is built.
+/// The scene under construction.
 struct Work {
     scene::Scene scene;
-    std::uint32_t draws = 0; ///< how often chance has been asked
+    std::uint32_t draws = 0; ///< random numbers drawn so far
 };
 
-/// A place in the kitchen, with axes of its own, to build a part at. Metres, +Y up.
+/// A position in the kitchen with axes of its own, at which a part is built. Metres, +Y up.
 class Site {
 public:
-    /// The whole room. `work` must outlive this and be empty.
+    /// The axes of the room. `work` must outlive this and be empty.
     explicit Site(Work& work);
 
-    /// At a place of this one, turned by degrees about +Y, counter-clockwise seen from above.
+    /// A site at a position in this one's axes, turned by degrees about +Y, counter-clockwise seen from above.
     Site at(const glm::vec3& position, float degrees = 0.0f) const;
 
-    /// After a further turn about +X, then everything is `scale` times as large.
+    /// This site turned further about +X, by degrees.
     Site tipped(float degrees) const;
+    /// This site with its parts `scale` times as large.
     Site scaled(float scale) const;
 
     void add(Stuff stuff, const scene::Mesh& mesh, const glm::vec3& tint = glm::vec3(1.0f)) const;
 
-    /// Textures are moved by chance, so that no two boards look alike.
+    /// Texture coordinates get a random offset, so that no two boards look alike.
     void box(Stuff stuff, BoxShape shape, const glm::vec3& tint = glm::vec3(1.0f)) const;
     void lathe(Stuff stuff, const LatheShape& shape, const glm::vec3& tint = glm::vec3(1.0f)) const;
     void tube(Stuff stuff, const TubeShape& shape, const glm::vec3& tint = glm::vec3(1.0f)) const;
 
-    /// In [0, 1), another one each time, the same in every kitchen.
+    /// The next number in [0, 1) of a sequence that is the same at every run.
     float chance() const;
 
 private:

@@ -26,7 +26,7 @@ void add_vertex(scene::Mesh& mesh, const glm::vec3& position, const glm::vec3& n
     mesh.texcoords[0].push_back(uv);
 }
 
-// Squares between rows of vertices, rows one above the other, columns counter-clockwise.
+// Quads between rows of vertices: rows upwards, columns counter-clockwise.
 void join_grid(scene::Mesh& mesh, std::uint32_t first, std::uint32_t columns, std::uint32_t rows)
 {
     for (std::uint32_t row = 0; row + 1 < rows; ++row)
@@ -37,10 +37,10 @@ void join_grid(scene::Mesh& mesh, std::uint32_t first, std::uint32_t columns, st
         }
 }
 
-// Where the lines of a box's face run: each half of an edge's arc in `steps`, seen from the face's normal.
+// The positions of the grid lines on a box's face: `steps` for each half of an edge's arc.
 struct BoxLine {
     float side;  ///< -1 or 1
-    float slope; ///< of the normal towards the side
+    float slope; ///< of the normal, towards the side
 };
 
 std::vector<BoxLine> box_lines(const BoxShape& shape)
@@ -57,7 +57,7 @@ std::vector<BoxLine> box_lines(const BoxShape& shape)
     return lines;
 }
 
-// u and v of a point of the face across `axis`, in metres, v along the grain where that lies in the face.
+// Texture coordinates of a point of the face with normal `axis`, in metres; v along the grain if the face contains it.
 glm::vec2 box_uv(const BoxShape& shape, const glm::vec3& position, int axis)
 {
     const int v = shape.grain == axis ? (axis + 2) % 3 : shape.grain;
@@ -76,7 +76,7 @@ void add_box_face(scene::Mesh& mesh, const BoxShape& shape, int axis, float sign
         for (const BoxLine& u : lines) {
             glm::vec3 corner(0.0f), normal(0.0f);
             corner[axis] = sign;
-            corner[across] = u.side * sign; // turned round with the face
+            corner[across] = u.side * sign; // mirrored with the face
             corner[up] = v.side;
             normal[axis] = sign;
             normal[across] = u.slope * sign;
@@ -89,7 +89,7 @@ void add_box_face(scene::Mesh& mesh, const BoxShape& shape, int axis, float sign
     join_grid(mesh, first, n, n);
 }
 
-// One vertex of a lathe's profile on one side of it: corners have two.
+// A vertex of a lathe's profile with the normal of one side: corners have two.
 struct ProfilePoint {
     glm::vec2 place, normal;
     float length; ///< metres along the profile
@@ -100,7 +100,7 @@ glm::vec2 right_of(const glm::vec2& direction)
     return {direction.y, -direction.x};
 }
 
-// Pieces of the profile, each with the points at its two ends and the normals there.
+// The segments of the profile, each with its two end points and their normals.
 std::vector<ProfilePoint> profile_pieces(const LatheShape& shape)
 {
     const std::vector<glm::vec2>& p = shape.profile;
@@ -119,7 +119,7 @@ std::vector<ProfilePoint> profile_pieces(const LatheShape& shape)
         length += glm::length(p[i + 1] - p[i]);
         points.push_back({p[i + 1], i + 1 < normals.size() ? joined(i, i + 1) : normals[i], length});
     }
-    // Where a smooth profile meets the axis its normal is the axis.
+    // Where a smooth profile meets the axis, its normal is along the axis.
     for (ProfilePoint* end : {&points.front(), &points.back()})
         if (end->place.x == 0.0f && std::fabs(end->normal.y) > least)
             end->normal = {0.0f, std::copysign(1.0f, end->normal.y)};
@@ -150,7 +150,7 @@ std::vector<Vector> catmull_rom(std::span<const Vector> p, int steps)
     return curve;
 }
 
-// A direction across the first piece of a path.
+// A direction perpendicular to the first segment of a path.
 glm::vec3 any_across(const glm::vec3& tangent)
 {
     const glm::vec3 other = std::fabs(tangent.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
@@ -217,7 +217,7 @@ std::vector<glm::vec3> rounded_path(std::span<const glm::vec3> points, float rad
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
         const glm::vec3 begin = points[i] + radius * glm::normalize(points[i - 1] - points[i]);
         const glm::vec3 end = points[i] + radius * glm::normalize(points[i + 1] - points[i]);
-        // A quadratic Bezier curve: as good as an arc to the eye.
+        // A quadratic Bezier curve looks like an arc.
         for (int step = 0; step <= steps; ++step) {
             const float t = static_cast<float>(step) / static_cast<float>(steps);
             path.push_back(glm::mix(glm::mix(begin, points[i], t), glm::mix(points[i], end, t), t));
@@ -238,7 +238,7 @@ scene::Mesh make_tube(const TubeShape& shape)
     float length = 0.0f;
     for (std::size_t i = 0; i < p.size(); ++i) {
         const glm::vec3 along = tangent(i);
-        across = glm::normalize(across - glm::dot(across, along) * along); // carried along without twist
+        across = glm::normalize(across - glm::dot(across, along) * along); // transported without twist
         const glm::vec3 up = glm::cross(along, across);
         length += i > 0 ? glm::length(p[i] - p[i - 1]) : 0.0f;
         for (int segment = 0; segment <= shape.segments; ++segment) {
@@ -265,7 +265,7 @@ scene::Mesh make_leaf(const LeafShape& shape)
         const float t = static_cast<float>(i) / static_cast<float>(shape.steps);
         const float angle = shape.droop * t;
         const glm::vec3 normal(0.0f, std::cos(angle), std::sin(angle));
-        // Wide near the root, ending in a point that still has some width, so that no triangle vanishes.
+        // Wide near the root; the tip keeps some width, so that no triangle is degenerate.
         const float half = 0.5f * shape.width * std::max(std::sin(pi * std::pow(t, 0.7f)), 0.06f);
         const glm::vec3 rise = 0.3f * half * normal;
         add_vertex(mesh, middle + glm::vec3(-half, 0, 0) + rise, normal, {0.0f, t});

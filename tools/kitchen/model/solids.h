@@ -1,4 +1,4 @@
-// Solids to furnish a room with: closed, seen from outside, with smooth normals and texture coordinates in metres.
+// Closed solids for furniture, with smooth normals, and texture coordinates in metres.
 #pragma once
 
 #include "scene/scene.h"
@@ -22,8 +22,8 @@ struct BoxShape {
 };
 scene::Mesh make_box(const BoxShape& shape);
 
-/// A profile turned around +Y: points (radius, height) such that outside is on the right hand of one who walks along
-/// them, as when going up the outside of a cup and down its inside. Closed if it begins and ends at radius 0.
+/// A profile turned around +Y: points (radius, height) with the outside on the right of the direction along them, as up
+/// the outside of a cup and down its inside. Closed if it begins and ends at radius 0.
 /// Corners sharper than `crease` (radians) stay sharp. u in turns, v in metres along the profile.
 struct LatheShape {
     std::vector<glm::vec2> profile;
@@ -32,14 +32,14 @@ struct LatheShape {
 };
 scene::Mesh make_lathe(const LatheShape& shape);
 
-/// A curve through the points [Catmull and Rom 1974], `steps` pieces between two of them.
+/// A curve through the points [Catmull and Rom 1974], with `steps` segments between neighbours.
 std::vector<glm::vec2> smooth(std::span<const glm::vec2> points, int steps);
 std::vector<glm::vec3> smooth(std::span<const glm::vec3> points, int steps);
 
-/// Straight from point to point, corners replaced by arcs that begin `radius` before and end `radius` after them.
+/// A polyline whose corners are replaced by arcs that begin `radius` before them and end `radius` after them.
 std::vector<glm::vec3> rounded_path(std::span<const glm::vec3> points, float radius, int steps);
 
-/// A tube along a path of two or more different points, with flat ends. Radii: one for all, or one a point.
+/// A tube along a path of two or more different points, with flat ends. Radii: one for all points, or one for each.
 struct TubeShape {
     std::vector<glm::vec3> path;
     std::vector<float> radii;
@@ -47,7 +47,7 @@ struct TubeShape {
 };
 scene::Mesh make_tube(const TubeShape& shape);
 
-/// A leaf or blade, seen from both sides if its material is: from the root along +Z, bending down by `droop` (radians
+/// A leaf or blade, two-sided if its material is: from the root along +Z, bending down by `droop` (radians
 /// at the tip), folded a little along the middle.
 struct LeafShape {
     float length = 0.2f, width = 0.06f;

@@ -30,7 +30,7 @@ scene::Material light(const char* name, const glm::vec3& radiance)
     return m;
 }
 
-// An image that covers `size` metres.
+// A texture whose image covers `size` metres.
 scene::TextureUse texture(int image, const glm::vec2& size)
 {
     scene::TextureUse use;

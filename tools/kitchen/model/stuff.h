@@ -1,4 +1,4 @@
-// What things in the kitchen are made of.
+// The materials of the kitchen.
 #pragma once
 
 #include "scene/scene.h"
@@ -7,7 +7,7 @@
 
 namespace lambent::kitchen {
 
-/// Materials; those called plain are white and get their colour from a tint.
+/// Materials. Those marked plain are white and get their colour from a tint.
 enum class Stuff {
     plaster, ///< walls and ceiling, plain
     wood,    ///< oiled, with grain, plain
@@ -15,13 +15,13 @@ enum class Stuff {
     marble,
     stone,  ///< counters: grey and satin
     steel,  ///< brushed
-    chrome, ///< a little worn: no perfect mirrors, they would be noise
+    chrome, ///< a little worn: perfect mirrors would be noisy
     brass,
     black_glass,
     black,   ///< powder-coated metal, and shadow gaps
     tile,    ///< glazed, plain
     ceramic, ///< plain
-    glass,   ///< of bottles and jars: opaque, plain
+    glass,   ///< for bottles and jars: opaque, plain
     fruit,   ///< waxy, plain
     leaf,    ///< plain
     cloth,   ///< plain
@@ -32,7 +32,7 @@ enum class Stuff {
     count
 };
 
-/// One for each Stuff, in its order; their images are to be the scene's.
+/// One material for each Stuff, in its order. Their image indices refer to the images, which the scene must have.
 struct Stuffs {
     std::vector<scene::Material> materials;
     std::vector<image::CodeImage> images;

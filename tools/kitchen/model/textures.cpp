@@ -21,7 +21,7 @@ std::uint8_t code(float linear)
     return static_cast<std::uint8_t>(std::lround(255.0 * encoded));
 }
 
-// A square image of linear colours by place.
+// A square image of a function from position to linear colour.
 template <class Color>
 image::CodeImage painted(int size, Color&& color)
 {
@@ -38,7 +38,7 @@ image::CodeImage painted(int size, Color&& color)
 
 glm::vec3 wood(float u, float v)
 {
-    // Year rings, cut lengthwise: bands across that wander slowly along the board.
+    // Growth rings cut lengthwise: bands across the board that drift slowly along it.
     const float wander = 1.6f * fractal_noise(u, v, {3, 2, 11}, 3);
     const float ring = 0.5f + 0.5f * std::sin(turn * (9.0f * u + wander));
     const float late = ring * ring * ring; // late wood is a narrow dark line
@@ -69,7 +69,7 @@ glm::vec3 rug(float u, float v)
     else if (edge > 0.07f && edge < 0.1f)
         color = blue;
     else if (edge >= 0.12f) {
-        // Lozenges in lozenges.
+        // Nested lozenges.
         const float s = 4.0f * u, t = 6.0f * v;
         const float away = std::fabs(s - std::floor(s) - 0.5f) + std::fabs(t - std::floor(t) - 0.5f);
         color = away < 0.14f ? rust : away > 0.26f && away < 0.36f ? blue : wool;

@@ -1,4 +1,4 @@
-// What stands where.
+// Positions of the small objects and plants.
 #include "kitchen/model/parts.h"
 #include "kitchen/model/plan.h"
 
@@ -38,7 +38,7 @@ void add_row_of_jars(const Site& site)
         add_jar(site.at({0.125f * static_cast<float>(i), 0.0f, 0.0f}), contents[i]);
 }
 
-// Plates on edge against the wall, as pictures.
+// Plates on edge, displayed against the wall.
 void add_shown_plate(const Site& shelf, float x, const glm::vec3& tint)
 {
     add_plate(shelf.at({x, 0.132f, 0.035f}).tipped(82.0f), tint);
@@ -66,7 +66,7 @@ void add_on_north(const Site& room)
     add_knife_block(top.at({-0.45f, 0.0f, 0.2f}));
     add_row_of_jars(top.at({1.3f, 0.0f, 0.15f}));
     add_toaster(top.at({-0.95f, 0.0f, 0.25f}, 10.0f));
-    // Boards leaning at the wall.
+    // Boards leaning against the wall.
     top.at({2.15f, 0.0f, 0.09f})
         .tipped(-9.0f)
         .box(Stuff::wood, {{-0.15f, 0.003f, 0.0f}, {0.15f, 0.42f, 0.02f}, 0.008f, 2}, walnut);

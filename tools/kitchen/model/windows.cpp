@@ -1,4 +1,4 @@
-// Frames in the openings of the walls. They hold no glass: light comes in as it is.
+// Frames in the openings of the walls. They hold no glass: light enters unchanged.
 #include "kitchen/model/parts.h"
 #include "kitchen/model/plan.h"
 
@@ -28,7 +28,7 @@ namespace {
 
 using namespace plan;
 
-constexpr float frame_back = -0.2f, frame_front = -0.13f; // of the frames within the wall
+constexpr float frame_back = -0.2f, frame_front = -0.13f; // extent of the frames within the wall
 
 void add_bar(const Site& site, const glm::vec2& low, const glm::vec2& high)
 {
