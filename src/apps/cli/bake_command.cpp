@@ -21,10 +21,10 @@
 namespace lambent::cli {
 namespace {
 
-// Thrown where the user is found to have asked for an end.
+// Thrown when the user has asked to stop.
 struct Stopped {};
 
-// Whole columns: nothing is blurred, and the panorama is wider than anyone's protractor.
+// Rotates the panorama by whole columns, so that its texels are not resampled.
 void turn(environment::Panorama& panorama, double degrees)
 {
     const int width = panorama.width;
@@ -45,7 +45,7 @@ environment::Panorama load(const BakeArguments& arguments, Warnings& warnings)
     return panorama;
 }
 
-// Without what the sum's rounding leaves where there is nothing.
+// Coefficients that are only rounding errors of the sum are set to 0.
 std::vector<double> coefficients_of(const environment::Panorama& panorama)
 {
     std::vector<double> c = environment::irradiance_coefficients(environment::project_to_harmonics(panorama));

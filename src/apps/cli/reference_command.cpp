@@ -94,7 +94,7 @@ void run(const ReferenceArguments& arguments)
     check_variance_file(arguments.variance);
     InputFiles inputs = inputs_named(picture);
     check_outputs(arguments, inputs);
-    const Interrupt interrupt; // from here on, so that what is asked while files load is not lost
+    const Interrupt interrupt; // before files are loaded, so that Ctrl-C counts during loading too
     const ThreadLimit limit(picture.common.threads);
     Console console(picture.common.verbosity);
     Stopwatch watch;

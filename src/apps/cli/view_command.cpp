@@ -12,7 +12,7 @@
 
 namespace lambent::cli {
 
-// The window is a program of its own: everything else starts without what windows need.
+// The window is a program of its own, so that other commands need not load the libraries of windows.
 void run(const ViewArguments& arguments)
 {
     std::error_code problem;

@@ -35,7 +35,7 @@ Filler by_device(const Device& device)
             }};
 }
 
-// What the device fails at is filled by the processor, whole faces at a time.
+// Once the device fails, the CPU fills the faces of that call, from the start, and of all later ones.
 Filler by_device_or_processor(const Device& device, const std::function<void(const std::string&)>& warn)
 {
     Filler filler = by_device(device);

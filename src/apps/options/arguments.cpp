@@ -51,7 +51,7 @@ Command add_command(Command program, const CommandRow& row, Given& given)
     return added;
 }
 
-// What a command's words say, each by itself.
+// Parses the words of each option, without the rules between options.
 template <class Arguments>
 Arguments taken(const Given& given, unsigned command)
 {

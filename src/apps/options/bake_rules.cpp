@@ -13,7 +13,7 @@
 namespace lambent::cli {
 namespace {
 
-// The format that a name asks for: of one file, else it is a folder.
+// The format of a single file, by its extension; nothing for a folder.
 std::optional<BakeFormat> file_format(const std::string& output)
 {
     std::string extension = std::filesystem::path(output).extension().string();
@@ -31,7 +31,7 @@ std::optional<BakeFormat> file_format(const std::string& output)
     return std::nullopt;
 }
 
-// What the noise of N samples a texel would be worth where light is as uneven as 1024 samples are for 0.01.
+// The relative error of N random samples in light for which 1024 samples give 0.01.
 double error_of_samples(int samples)
 {
     return std::clamp(0.32 / std::sqrt(static_cast<double>(samples)), BakeArguments::least_error,

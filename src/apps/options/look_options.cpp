@@ -1,4 +1,4 @@
-// The table of options: how surfaces and light look, and what draws them.
+// The table of options: materials, display, backend, and what viewers set.
 #include "apps/options/look_options.h"
 
 namespace lambent::cli {
@@ -58,7 +58,7 @@ Group<RenderArguments> display_group()
     using R = Row<RenderArguments>;
     return {"From light to pixels",
             command::of_scenes,
-            {// Its control goes from the report's darkest picture to its brightest.
+            {// The slider covers the exposures of all of the report's pictures.
              R("exposure", "E", above_zero(), "1")
                  .at([](auto& a) -> auto& { return a.display.exposure; })
                  .says("Factor on the light before the tone curve")

@@ -1,4 +1,4 @@
-// The table of options: of commands that trace, compare and report.
+// The table of options: of `lambent reference`, `compare` and `report`.
 #include "apps/options/option_table.h"
 
 namespace lambent::cli {

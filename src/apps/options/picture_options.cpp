@@ -1,4 +1,4 @@
-// The table of options: what a picture shows.
+// The table of options: scene, light, camera, animation and output of a picture.
 #include "apps/options/look_options.h"
 #include "apps/options/option_table.h"
 
@@ -96,7 +96,7 @@ Group<A> light_group()
                        "specular environment light: `sampled`, or `split-sum`: [8 wide "
                        "lookups](ERRORS.md#split-sum), whatever `--samples` says")
                  .control(9, {"Specular light", "Light"}),
-             // More than its control has take many minutes, as with --aa.
+             // The control ends below the option's limit, as that of --aa does: more samples take minutes.
              R("samples", "N", whole(1, 65536), "40")
                  .at([](auto& a) -> auto& { return a.settings.samples; })
                  .says("Samples of the specular lobe")

@@ -1,4 +1,4 @@
-// The table of options: what all commands take, and what those take that have few of their own.
+// The table of options: of all commands, and of `lambent serve`, `env` and `info`.
 #include "apps/options/option_table.h"
 
 #include "base/error.h"
@@ -9,7 +9,7 @@
 namespace lambent::cli {
 namespace {
 
-// --quiet and --verbose are flags of one value.
+// The value of --quiet and --verbose, which set the same member.
 template <Verbosity verbosity>
 constexpr Value<CommonOptions> says{
     [](CommonOptions& a, const Option&, const std::string& word) {

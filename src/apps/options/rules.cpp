@@ -23,7 +23,7 @@ void check_view(const RenderArguments& arguments, const Given& given)
     refuse_if(has_node && given("fov"), "--fov and --camera-node exclude each other: a camera has its own");
 }
 
-// The report's own order of things goes with little else.
+// Sets up the report's own pipeline; refuses options that it cannot follow.
 void settle_pipeline(RenderArguments& arguments, const Given& given)
 {
     draw::Settings& settings = arguments.settings;
@@ -35,10 +35,10 @@ void settle_pipeline(RenderArguments& arguments, const Given& given)
               "--pipeline report: its tone curve is the report's: no --tone");
     settings.pipeline = draw::ReportPipeline{display.exposure, display.contrast, display.encode};
     settings.mip_level = draw::MipLevel::report;
-    settings.texel_transfer = draw::TexelTransfer::none; // its passes decode
+    settings.texel_transfer = draw::TexelTransfer::none; // the pipeline decodes texels itself
     if (!given("ambient-brightness"))
         settings.ambient_brightness = 2.0f;
-    // What is drawn are codes.
+    // The pipeline draws code values, which the display must not change.
     display.exposure = display.contrast = 1.0f;
     display.tone = display::Tone::linear;
     display.encode = false;
