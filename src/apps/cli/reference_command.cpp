@@ -78,7 +78,7 @@ Warnings warnings_of(const reference::Result& result)
     Warnings warnings;
     if (result.stopped)
         warnings.push_back(text("stopped early, at ", result.samples, " samples per pixel",
-                                result.noise ? text(" and ", percent(result.noise->covered), " of noise")
+                                result.noise ? text(" and ", percent(result.noise->covered), " noise")
                                              : std::string(" and unknown noise")));
     if (result.broken > 0)
         warnings.push_back(text(result.broken, " samples are not finite and count as black"));

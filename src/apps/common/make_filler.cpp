@@ -70,7 +70,7 @@ Filler make_filler(const BakeArguments& arguments, const std::function<void(cons
         return by_device(std::make_shared<draw::DevicePrefilter>(options));
     options.software = false;
     const auto warn_and_go_on = [warn](const std::string& line) {
-        warn(text(line, "; the processor goes on"));
+        warn(text(line, "; continuing on the CPU"));
     };
     if (const Device device = draw::on_hardware(
             [&] { return std::make_shared<draw::DevicePrefilter>(options); }, warn_and_go_on))

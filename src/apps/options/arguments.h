@@ -142,7 +142,7 @@ struct ServeArguments {
     std::string host = "127.0.0.1"; ///< an address, or localhost
     std::uint16_t port = 8080;      ///< 0: any free port
     std::string token;              ///< empty: none
-    int sessions = 8;               ///< largest number of viewers at a time
+    int sessions = 8;               ///< maximum number of viewers at a time
 };
 
 struct EnvArguments {

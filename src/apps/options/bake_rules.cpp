@@ -53,11 +53,11 @@ void settle_light(BakeArguments& arguments, const Given& given)
 void settle_format(BakeArguments& arguments, const Given& given)
 {
     if (arguments.output.empty())
-        throw Error(Failure::usage, "--output: nothing given");
+        throw Error(Failure::usage, "--output: the name is empty");
     const std::optional<BakeFormat> file = file_format(arguments.output);
     if (file && given("format") && *file != arguments.format)
-        throw Error(Failure::usage, text("--format: ", given.words("format").back(), " is not what ",
-                                         arguments.output, " says"));
+        throw Error(Failure::usage, text("--format: ", given.words("format").back(), " is not the format of ",
+                                         arguments.output));
     arguments.one_file = file.has_value();
     if (file)
         arguments.format = *file;
@@ -70,7 +70,7 @@ void check_texels(const BakeArguments& arguments, const Given& given)
         throw Error(Failure::usage, "--layout: only with --format exr or hdr");
     if (arguments.mirrored && arguments.layout == CubeLayout::equirectangular)
         throw Error(Failure::usage,
-                    "--mirrored: not with --layout equirect, which looks the same to everyone");
+                    "--mirrored: not with --layout equirect, which is the same for all renderers");
     if (given("texels") && is_picture)
         throw Error(Failure::usage, "--texels: only with --format ktx2 or dds");
     if (arguments.zstd && arguments.format != BakeFormat::ktx2)

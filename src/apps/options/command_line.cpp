@@ -106,7 +106,7 @@ std::vector<std::string> without_help_command(const CLI::App& app, std::vector<s
     if (words[1] != "help")
         return words;
     if (words.size() > 3)
-        throw Error(Failure::usage, "help: of one command at a time: lambent help COMMAND");
+        throw Error(Failure::usage, "help: one command at a time: lambent help COMMAND");
     if (words.size() == 2 || words[2] == "help")
         return {words[0], "--help"};
     check_first(app, words[2]);
@@ -166,7 +166,7 @@ void Command::add(const Option& option, std::string_view heading, Given& given)
         added->required();
     else
         added->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)->check([](const std::string& word) {
-            return word.empty() ? "nothing given" : "";
+            return word.empty() ? "the value is empty" : "";
         });
 }
 
