@@ -44,15 +44,15 @@ TEST(Help, OfPicturesIsGrouped)
     for (const char* command : {"render", "reference", "view", "serve"}) {
         const std::string help = lambent({"help", command}).output;
         std::size_t last = 0;
-        for (const char* heading : {"\nLight:\n", "\nView and moment:\n",
-                                    "\nMaterials and built-in shapes:\n", "\nFrom light to pixels:\n"}) {
+        for (const char* heading : {"\nLight:\n", "\nView and time:\n", "\nMaterials and built-in shapes:\n",
+                                    "\nFrom light to pixels:\n"}) {
             const std::size_t at = help.find(heading);
             ASSERT_NE(at, std::string::npos) << command << heading;
             EXPECT_GT(at, last) << command << heading;
             last = at;
         }
         EXPECT_GT(help.find("  --env ENV"), help.find("\nLight:\n"));
-        EXPECT_LT(help.find("  --env ENV"), help.find("\nView and moment:\n"));
+        EXPECT_LT(help.find("  --env ENV"), help.find("\nView and time:\n"));
     }
 }
 

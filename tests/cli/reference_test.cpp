@@ -116,8 +116,7 @@ TEST(Reference, VarianceNeedsTwoSamples)
     const Outcome refused =
         lambent(traced(folder.path("a.exr"), {"--spp", "1", "--variance", folder.path("v.exr")}));
     EXPECT_EQ(refused.code, 2);
-    EXPECT_EQ(refused.error,
-              "lambent: error: --variance: one sample per pixel tells none: --spp 2 or more\n");
+    EXPECT_EQ(refused.error, "lambent: error: --variance: needs two samples per pixel or more: --spp 2\n");
     const nlohmann::json stats = stats_of(traced(
         folder.path("a.exr"), {"--time", "0.0001", "--size", "48x32", "--variance", folder.path("v.exr")}));
     EXPECT_EQ(stats.at("samples"), 2.0);

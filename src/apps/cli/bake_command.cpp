@@ -21,10 +21,10 @@
 namespace lambent::cli {
 namespace {
 
-// Thrown where the user is found to have asked for an end.
+// Thrown when the user has asked to stop.
 struct Stopped {};
 
-// Whole columns: nothing is blurred, and the panorama is wider than anyone's protractor.
+// Rotates the panorama by whole columns, so that its texels are not resampled.
 void turn(environment::Panorama& panorama, double degrees)
 {
     const int width = panorama.width;
@@ -45,7 +45,7 @@ environment::Panorama load(const BakeArguments& arguments, Warnings& warnings)
     return panorama;
 }
 
-// Without what the sum's rounding leaves where there is nothing.
+// Coefficients that are only rounding errors of the sum are set to 0.
 std::vector<double> coefficients_of(const environment::Panorama& panorama)
 {
     std::vector<double> c = environment::irradiance_coefficients(environment::project_to_harmonics(panorama));
@@ -80,16 +80,16 @@ Warnings warnings_of(const BakeArguments& arguments, const Baked& baked)
     if (const CutLight cut = cut_light(baked, arguments); cut.texels > 0)
         warnings.push_back(
             text(cut.texels, " texels are brighter than ", cut.most,
-                 " and are cut to it, the most their format holds; --texels float keeps them"));
+                 ", the maximum of their format, and are cut to it; --texels float keeps them"));
     if (arguments.one_file && arguments.irradiance_size.value_or(0) > 0)
         warnings.push_back(
-            "--irradiance: one file has the coefficients alone; -o FOLDER writes the cube too");
+            "--irradiance: a single file holds only the coefficients; -o FOLDER writes the cube too");
     if (arguments.one_file && arguments.table_size)
-        warnings.push_back("--lut: one file has no split-sum table; -o FOLDER writes it");
+        warnings.push_back("--lut: a single file holds no split-sum table; -o FOLDER writes it");
     for (std::size_t i = 0; i < specular.levels.size(); ++i)
         if (const double error = specular.levels[i].error; error > arguments.options.error)
             warnings.push_back(text("level ", i, ": its error is ", std::round(1e4 * error) / 100.0,
-                                    " %, above the ", 100.0 * arguments.options.error, " % aimed at"));
+                                    " %, above the target of ", 100.0 * arguments.options.error, " %"));
     return warnings;
 }
 

@@ -1,4 +1,4 @@
-// What each command does that is no program of its own. All throw Error.
+// All commands but report and serve, which have folders of their own. All throw Error.
 #pragma once
 
 #include "apps/options/arguments.h"

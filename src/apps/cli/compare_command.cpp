@@ -56,7 +56,7 @@ compare::ImagePair prepare(const CompareArguments& arguments, Warnings& warnings
     return pictures;
 }
 
-// What counts as full signal: the largest code; for light where it was cut, else the reference's brightest.
+// The peak signal of PSNR: the largest code; for light the bound of --clamp, else the reference's largest value.
 double peak_of(const CompareArguments& arguments, const compare::ImagePair& pictures)
 {
     if (pictures.kind == compare::Kind::srgb)
@@ -162,7 +162,7 @@ void run(const CompareArguments& arguments)
         print(json);
     else
         std::fputs(compare_table(json).c_str(), stdout);
-    // The result comes first: to be over a bound must not hide that it could not be said.
+    // A failure to print is reported before a bound that is exceeded.
     if (std::fflush(stdout) != 0)
         throw Error(Failure::cannot_write, "standard output: cannot write");
     check_bounds(arguments, findings);

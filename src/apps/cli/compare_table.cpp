@@ -10,9 +10,9 @@ namespace {
 struct Row {
     const char* key;
     const char* name;
-    double factor; ///< from the object's value to what is shown
+    double factor; ///< from the object's value to the printed one
     const char* unit;
-    const char* none; ///< what a null means
+    const char* none; ///< printed for a null
 };
 
 constexpr Row rows[] = {

@@ -1,4 +1,4 @@
-// What `compare` found, for people.
+// The results of `compare` as a table for a terminal.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,7 +7,7 @@
 
 namespace lambent::cli {
 
-/// The object that `compare` prints for programs as lines for people: a name, a value, a unit; null is said in words.
+/// Formats the JSON object of `compare`: lines of name, value and unit, with words in place of null.
 std::string compare_table(const nlohmann::ordered_json& findings);
 
 } // namespace lambent::cli

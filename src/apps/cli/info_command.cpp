@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// In the world.
+// A point of the scene in world coordinates.
 Json triple(const glm::vec3& v, const glm::dvec3& origin)
 {
     if (origin == glm::dvec3(0.0))
@@ -54,7 +54,7 @@ Json describe_scene(const scene::Scene& scene)
     return info;
 }
 
-// Whether the file starts as a binary glTF, or as JSON does.
+// Whether the file starts like a binary glTF or like JSON.
 bool looks_like_gltf(const std::string& path)
 {
     const std::vector<std::uint8_t> start = read_start(path, 64);

@@ -78,7 +78,7 @@ Warnings warnings_of(const reference::Result& result)
     Warnings warnings;
     if (result.stopped)
         warnings.push_back(text("stopped early, at ", result.samples, " samples per pixel",
-                                result.noise ? text(" and ", percent(result.noise->covered), " of noise")
+                                result.noise ? text(" and ", percent(result.noise->covered), " noise")
                                              : std::string(" and unknown noise")));
     if (result.broken > 0)
         warnings.push_back(text(result.broken, " samples are not finite and count as black"));
@@ -94,7 +94,7 @@ void run(const ReferenceArguments& arguments)
     check_variance_file(arguments.variance);
     InputFiles inputs = inputs_named(picture);
     check_outputs(arguments, inputs);
-    const Interrupt interrupt; // from here on, so that what is asked while files load is not lost
+    const Interrupt interrupt; // before files are loaded, so that Ctrl-C counts during loading too
     const ThreadLimit limit(picture.common.threads);
     Console console(picture.common.verbosity);
     Stopwatch watch;

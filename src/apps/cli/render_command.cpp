@@ -33,7 +33,7 @@ nlohmann::ordered_json describe(const RenderArguments& arguments, const scene::S
             {"triangles", scene::triangle_count(scene)}};
 }
 
-// A layer may neither be an input nor what the picture then replaces.
+// Layers must not have the path of an input or of the picture.
 void check_layer_files(const std::vector<draw::Layer>& layers, const RenderArguments& arguments,
                        const InputFiles& inputs)
 {
@@ -47,7 +47,7 @@ void write(const RenderArguments& arguments, const draw::Frame& frame, const Inp
 {
     using Kind = draw::Background::Kind;
     const bool transparent = arguments.settings.background.kind == Kind::none;
-    // The picture last: where it stands, everything went well.
+    // The picture is written last: if it exists, everything succeeded.
     if (!arguments.layers.empty()) {
         check_layer_files(frame.layers, arguments, inputs);
         write_layers(frame.layers, arguments.layers, arguments.display);

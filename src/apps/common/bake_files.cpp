@@ -22,7 +22,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Metadata = std::map<std::string, std::string>;
 
-// The fewest digits that give the float back.
+// The fewest digits that read back as the same float.
 std::string exact(double number)
 {
     char digits[64];
@@ -46,7 +46,7 @@ std::vector<double> roughness_of(const environment::BakedSpecular& specular)
     return roughness;
 }
 
-// Roughness belongs to the specular cube alone.
+// `specular`: with the roughness of the levels, which only the specular cube has.
 Metadata metadata_of(const Baked& baked, const BakeArguments& arguments, bool specular)
 {
     Metadata metadata = {{"KTXwriter", text("lambent ", version)}, {"lambent.sh", list(baked.coefficients)}};
@@ -77,7 +77,7 @@ bool is_picture(BakeFormat format)
     return format == BakeFormat::exr || format == BakeFormat::hdr;
 }
 
-// Writes one file for a renderer.
+// Writes a cube map as KTX 2 or DDS.
 void write_cube(const image::CubeMap& map, const BakeArguments& arguments, const Metadata& metadata,
                 const std::filesystem::path& path)
 {
@@ -95,7 +95,7 @@ std::vector<std::string> write_one_file(const Baked& baked, const BakeArguments&
     return {arguments.output};
 }
 
-// Writes into a folder and remembers the names.
+// Writes files into a folder and records their names.
 class FolderWriter {
 public:
     FolderWriter(const NewFolder& folder, const BakeArguments& arguments,
@@ -104,7 +104,7 @@ public:
     {
     }
 
-    /// Names of its files, for each level; of a file for renderers, once.
+    /// Returns the names of each level's files; a KTX 2 or DDS file holds all levels and is named once.
     std::vector<std::vector<std::string>> cube(const image::CubeMap& map, const std::string& name,
                                                const Metadata& metadata)
     {
@@ -122,7 +122,7 @@ public:
         return files;
     }
 
-    /// Light that no format for cubes holds: .hdr where all else is, else .exr.
+    /// Writes a flat picture: .hdr if that is the format of the bake, else .exr.
     std::string picture(const image::RadianceImage& image, const std::string& name)
     {
         const BakeFormat format = arguments_.format == BakeFormat::hdr ? BakeFormat::hdr : BakeFormat::exr;
@@ -168,7 +168,7 @@ private:
     std::vector<std::string> names_;
 };
 
-// One coefficient a line, RGB.
+// A line for each coefficient: red, green, blue.
 std::string coefficient_lines(const std::vector<double>& coefficients)
 {
     std::string lines;
@@ -256,7 +256,7 @@ Json describe_levels(const environment::BakedSpecular& specular)
     for (std::size_t i = 0; i < specular.levels.size(); ++i)
         levels.push_back({{"size", specular.cube.face_size(static_cast<int>(i))},
                           {"roughness", specular.levels[i].perceptual_roughness},
-                          // Sums of threads differ in their last digits.
+                          // Rounded, because the sums of several threads differ in their last digits.
                           {"error", std::round(specular.levels[i].error * 1e6) / 1e6}});
     return levels;
 }

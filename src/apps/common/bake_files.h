@@ -14,10 +14,10 @@
 
 namespace lambent::cli {
 
-/// What a folder gets. One file gets the specular light and the coefficients.
+/// The results of a bake. A folder gets all of them, a single file the specular light and the coefficients.
 struct Baked {
     environment::BakedSpecular specular;
-    std::vector<double> coefficients; ///< 27
+    std::vector<double> coefficients; ///< nine, each RGB
     std::optional<image::CubeMap> irradiance;
     std::optional<image::RadianceImage> table;
 };
@@ -25,20 +25,20 @@ struct Baked {
 /// Size, roughness and error of each level.
 nlohmann::ordered_json describe_levels(const environment::BakedSpecular& specular);
 
-/// Texels that the files will cut to the brightest light that their format holds.
+/// The texels that are brighter than their format's maximum and will be cut to it.
 struct CutLight {
-    std::ptrdiff_t texels = 0;
-    double most = 0.0; ///< what the format holds
+    std::ptrdiff_t texels = 0; ///< how many
+    double most = 0.0;         ///< the format's maximum
 };
 CutLight cut_light(const Baked& baked, const BakeArguments& arguments);
 
-/// Throws Error(cannot_write) for what is plain before the work, Error(usage) for the environment's own file. Makes nothing yet, so that nothing is left of
-/// a bake that fails.
+/// Throws Error(cannot_write) if the output evidently cannot be written, Error(usage) if it is the environment's own
+/// file. Creates nothing, so that a bake that fails leaves nothing behind.
 void check_bake_output(const BakeArguments& arguments);
 
-/// Writes everything and returns the files' names. A folder gets its files when all of them are complete;
-/// bake.json comes last. `before_file` is called before each; what it throws, as any other failure, leaves
-/// nothing behind. Throws Error(cannot_write), and Error(usage) where a file would replace the environment's.
+/// Writes all files and returns their names. A folder gets its files when all of them are complete, bake.json last.
+/// `before_file` is called before each. If it throws, or anything else fails, nothing is left behind. Throws
+/// Error(cannot_write), and Error(usage) where a file would replace the environment's.
 std::vector<std::string> write_baked(const Baked& baked, const BakeArguments& arguments,
                                      const std::function<void()>& before_file);
 

@@ -1,4 +1,4 @@
-// What is said on standard error: warnings, remarks, a progress bar.
+// Output on standard error: warnings, remarks, a progress bar.
 #pragma once
 
 #include "apps/options/arguments.h"
@@ -13,20 +13,20 @@ class Console {
 public:
     explicit Console(Verbosity verbosity);
 
-    /// "lambent: warning: LINE", unless quiet.
+    /// Prints "lambent: warning: LINE" for each, unless quiet.
     void warn(const Warnings& warnings) const;
 
-    /// The same of the files that a command reads. Throws Error(bad_input) with the first, where they are to be errors.
+    /// Prints warnings about input files. If `common.strict`, throws them instead, as refuse_warnings does.
     void warn_of_input(const Warnings& warnings, const CommonOptions& common) const;
 
-    /// A remark, only if verbose.
+    /// Prints a remark, only if verbose.
     void remark(const std::string& line) const;
 
-    /// A bar with the time left, and a note if any, if work has taken over a second and standard error is a terminal;
-    /// not if quiet.
+    /// Shows a bar with the time left, and a note if any, once work has taken over a second. Does nothing if quiet or
+    /// if standard error is no terminal. `done`: 0 to 1.
     void progress(float done, const std::string& note = {});
 
-    /// Takes the bar away.
+    /// Removes the bar.
     void end_progress();
 
 private:
@@ -37,7 +37,7 @@ private:
     Clock::time_point start_ = Clock::now(), last_ = start_;
 };
 
-/// Throws Error(bad_input) if there are any: with the first, and how many there are.
+/// Throws Error(bad_input) if there are any, with the first and the number of others.
 void refuse_warnings(const Warnings& warnings);
 
 } // namespace lambent::cli

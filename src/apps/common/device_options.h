@@ -1,4 +1,4 @@
-// How the program uses Vulkan devices. Only where it was built with Vulkan.
+// Options of Vulkan devices. Only included in programs built with Vulkan.
 #pragma once
 
 #include "draw/vulkan/vulkan_renderer.h"
@@ -6,7 +6,7 @@
 
 namespace lambent::cli {
 
-/// Debug builds let the Khronos layer watch, and fail over what it says. `cache`: keep compiled shaders.
+/// Debug builds use the Khronos validation layer and fail on its messages. `cache`: keep compiled shaders.
 inline draw::VulkanOptions device_options(bool cache)
 {
     draw::VulkanOptions options;

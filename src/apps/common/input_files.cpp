@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Files that are not there have no identity: they are told apart by where their names lead.
+// Files that do not exist are identified by their resolved paths.
 bool is_same(const fs::path& a, const fs::path& b)
 {
     std::error_code error;

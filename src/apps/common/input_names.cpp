@@ -16,7 +16,7 @@
 namespace lambent::cli {
 namespace {
 
-// Whatever else is wrong with a file is said by who reads it.
+// Checks only that a file exists; its reader reports other errors.
 void check(const std::string& name, const char* kind, const std::vector<std::string>& builtin)
 {
     std::error_code error;

@@ -1,15 +1,14 @@
-// Names of scenes and environments: a built-in's, or a file's.
+// Names of scenes and environments: built-in ones and files.
 #pragma once
 
 #include <string>
 
 namespace lambent::cli {
 
-/// Throws Error(bad_input) where neither a built-in scene has the name nor anything is there under it, with the built-in
-/// that was probably meant.
+/// Throws Error(bad_input), with a suggestion, if there is neither a built-in scene nor a file of this name.
 void check_scene_name(const std::string& name);
 
-/// The same of environments; `none` is one.
+/// The same for environments, of which `none` is one.
 void check_environment_name(const std::string& name);
 
 } // namespace lambent::cli

@@ -12,8 +12,8 @@ namespace {
 volatile std::sig_atomic_t interrupted = 0;
 timespec first{};
 
-// Who asks again after a moment wants an end at once. Within it the same signal has come by two ways: `timeout` signals
-// the program and then its whole group.
+// A second signal ends the program at once, but not within half a second of the first: `timeout` sends every signal
+// twice, to the program and to its process group.
 void note(int signal)
 {
     constexpr double moment = 0.5; // seconds

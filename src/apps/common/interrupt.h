@@ -3,7 +3,8 @@
 
 namespace lambent::cli {
 
-/// While it exists, the first SIGINT or SIGTERM only sets a flag; one after half a second or more ends the program as usual.
+/// While it exists, the first SIGINT or SIGTERM only sets a flag; another, half a second or more later, ends the
+/// program.
 class Interrupt {
 public:
     Interrupt();
@@ -13,7 +14,7 @@ public:
 
     bool asked() const;
 
-    /// Ends the program as the signal would have: for who was asked and has cleaned up.
+    /// Ends the program as the signal would have. For callers that have cleaned up after asked().
     [[noreturn]] void end_program() const;
 };
 

@@ -17,7 +17,7 @@ namespace {
 
 using draw::Layer;
 
-// Values are premultiplied by coverage; what is looked at is not.
+// Values of layers are premultiplied by coverage, those of their .png are not.
 float uncovered(float value, float coverage)
 {
     return coverage > 0.0f ? value / coverage : 0.0f;
@@ -38,7 +38,7 @@ Range depth_range(const image::RadianceImage& image)
     return range;
 }
 
-// One value to [0, 1], as the kind of layer is looked at.
+// Maps a value to [0, 1] for the .png of this kind of layer.
 float shown(Layer::Kind kind, float value, const Range& depths)
 {
     switch (kind) {
@@ -68,7 +68,7 @@ image::CodeImage layer_picture(const Layer& layer, const display::Settings& disp
             scaled.values[i + c] =
                 coverage > 0.0f ? shown(layer.kind, uncovered(scaled.values[i + c], coverage), depths) : 0.0f;
         }
-    // Reflectance is light of its own brightness; the rest are numbers, shown as they are.
+    // Reflectance is encoded like light; other layers are numbers, which are not encoded.
     display::Settings plain;
     plain.tone = display::Tone::linear;
     plain.encode = layer.kind == Layer::Kind::color;

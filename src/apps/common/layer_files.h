@@ -9,16 +9,15 @@
 
 namespace lambent::cli {
 
-/// Makes the folder for layers if it does not exist: before the drawing, so that nobody waits for an error.
-/// Throws Error(cannot_write).
+/// Creates the folder for layers if it does not exist. Called before drawing, so that errors come early. Throws
+/// Error(cannot_write).
 void make_layer_folder(const std::filesystem::path& folder);
 
-/// A layer as it is looked at: light as displayed, normals from -1..1 to 0..1, depth from near white to far black,
-/// exponents by their logarithm.
+/// A layer as its .png: light as displayed, normals from -1..1 to 0..1, depth from near white to far black, exponents
+/// by their logarithm.
 image::CodeImage layer_picture(const draw::Layer& layer, const display::Settings& display);
 
-/// Writes each layer into a folder: NAME.exr as it is, and NAME.png to look at.
-/// Throws Error(cannot_write).
+/// Writes each layer into a folder: NAME.exr with its values, NAME.png by layer_picture. Throws Error(cannot_write).
 void write_layers(const std::vector<draw::Layer>& layers, const std::filesystem::path& folder,
                   const display::Settings& display);
 

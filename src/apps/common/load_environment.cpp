@@ -20,7 +20,7 @@ environment::MadeEnvironment make(const std::string& name)
     return made;
 }
 
-// The name is a part of it because warnings say it.
+// The name is part of the key because the warnings that are kept contain it.
 std::string key_of(const std::string& name)
 {
     const std::string content = environment::is_builtin(name) ? "built-in" : environment::content_key(name);

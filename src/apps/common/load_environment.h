@@ -11,10 +11,11 @@ namespace lambent::cli {
 struct LoadedEnvironment {
     std::optional<environment::Environment> environment; ///< unset: "none"
     Warnings warnings;
-    bool cached = false; ///< it was made before
+    bool cached = false; ///< read from the cache
 };
 
-/// A built-in or a file; with `cache`, from and into the user's cache folder. Throws Error(bad_input).
+/// Prepares a built-in environment or a file; with `cache`, keeps it in the user's cache folder. Throws
+/// Error(bad_input).
 LoadedEnvironment load_environment(const std::string& name, bool cache);
 
 } // namespace lambent::cli

@@ -35,7 +35,7 @@ Filler by_device(const Device& device)
             }};
 }
 
-// What the device fails at is filled by the processor, whole faces at a time.
+// Once the device fails, the CPU fills the faces of that call, from the start, and of all later ones.
 Filler by_device_or_processor(const Device& device, const std::function<void(const std::string&)>& warn)
 {
     Filler filler = by_device(device);
@@ -70,7 +70,7 @@ Filler make_filler(const BakeArguments& arguments, const std::function<void(cons
         return by_device(std::make_shared<draw::DevicePrefilter>(options));
     options.software = false;
     const auto warn_and_go_on = [warn](const std::string& line) {
-        warn(text(line, "; the processor goes on"));
+        warn(text(line, "; continuing on the CPU"));
     };
     if (const Device device = draw::on_hardware(
             [&] { return std::make_shared<draw::DevicePrefilter>(options); }, warn_and_go_on))

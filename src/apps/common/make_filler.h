@@ -1,4 +1,4 @@
-// Who prefilters an environment, as a command line asks for it.
+// The prefilter of environments that a command line asks for: on the CPU or on a Vulkan device.
 #pragma once
 
 #include "apps/options/arguments.h"
@@ -13,16 +13,16 @@ namespace lambent::cli {
 
 struct Filler {
     environment::FillFaces fill;
-    std::string backend, device; ///< for people; the processors have no device
+    std::string backend, device; ///< names to print; on the CPU `device` is empty
     std::shared_ptr<bool>
-        given_up; ///< set when the device failed and the processors went on; null: that cannot be
+        given_up; ///< true once the device failed and the CPU took over; null: it never does
 
-    /// Milliseconds on the device so far; none of the processors.
+    /// Milliseconds on the device so far; nothing on the CPU.
     std::function<std::optional<double>()> milliseconds;
 };
 
-/// Backend::automatic: hardware where there is some and it works, else the processor, after `warn` was told in one line
-/// what failed. Throws Error(no_device), with Backend::vulkan also where this program was built without it.
+/// Backend::automatic: a hardware device that works, else the CPU; `warn` gets one line about a device that fails.
+/// Throws Error(no_device), with Backend::vulkan also if this program was built without Vulkan.
 Filler make_filler(const BakeArguments& arguments, const std::function<void(const std::string&)>& warn);
 
 } // namespace lambent::cli

@@ -24,7 +24,7 @@ std::unique_ptr<draw::Renderer> of_triangles(const RendererChoice& choice, const
         return draw::make_vulkan_renderer(scene, options);
     options.software = false;
     const auto warn = [warn = choice.warn](const std::string& line) {
-        warn(text(line, "; the processor goes on"));
+        warn(text(line, "; continuing on the CPU"));
     };
     std::unique_ptr<draw::Renderer> device =
         draw::on_hardware([&] { return draw::make_vulkan_renderer(scene, options); }, warn);

@@ -1,4 +1,4 @@
-// The backend that a command line asks for.
+// The renderer of the backend that a command line asks for.
 #pragma once
 
 #include "apps/options/arguments.h"
@@ -13,14 +13,14 @@ namespace lambent::cli {
 
 struct RendererChoice {
     Backend backend = Backend::automatic;
-    bool cache = true; ///< of a device's compiled shaders
+    bool cache = true; ///< keep a device's compiled shaders
 
-    /// Told in one line why the processor draws though there is a device; with Backend::automatic alone.
+    /// Gets one line when a device fails and the CPU draws instead; only with Backend::automatic.
     std::function<void(const std::string&)> warn;
 };
 
-/// The scene must outlive it. Backend::automatic: hardware where there is some and it works, else the processor.
-/// Throws Error(no_device), with Backend::vulkan also where this program was built without it.
+/// The scene must outlive the renderer. Backend::automatic: a hardware device that works, else the CPU. Throws
+/// Error(no_device), with Backend::vulkan also if this program was built without Vulkan.
 std::unique_ptr<draw::Renderer> make_renderer(const RendererChoice& choice, const scene::Scene& scene);
 
 } // namespace lambent::cli

@@ -31,7 +31,7 @@ bool is_there(const fs::path& path)
     return fs::exists(fs::symlink_status(path, error));
 }
 
-// The folder and those around it that are not there, the outermost first.
+// The folder and those of its parents that do not exist, the outermost first.
 std::vector<fs::path> missing(const fs::path& folder)
 {
     std::vector<fs::path> paths;

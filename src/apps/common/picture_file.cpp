@@ -66,7 +66,7 @@ std::vector<std::uint8_t> picture_bytes(const image::RadianceImage& picture, con
 {
     const bool png = image::file_kind(path) == image::FileKind::png;
     if (!png && image::file_kind(path) != image::FileKind::jpeg)
-        throw Error(Failure::usage, text(path.string(), ": codes are written as .png or .jpg"));
+        throw Error(Failure::usage, text(path.string(), ": a displayed picture is written as .png or .jpg"));
     const image::CodeImage codes = picture_codes(picture, display, transparent && png);
     return png ? image::encode_png(codes) : image::encode_jpeg(codes);
 }

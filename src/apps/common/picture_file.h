@@ -10,8 +10,8 @@
 
 namespace lambent::cli {
 
-/// Throws Error(usage) if the name's extension is none of .png .jpg .jpeg .exr .hdr, Error(cannot_write) if it is
-/// plain already that the file cannot be written: to be asked before the work.
+/// Throws Error(usage) if the name's extension is none of .png .jpg .jpeg .exr .hdr, Error(cannot_write) if the file
+/// evidently cannot be written. Called before the work.
 void check_picture_file(const std::filesystem::path& path);
 
 /// .exr and .hdr: linear light as it is. .png and .jpg: as displayed; with `transparent`, a PNG gets the picture's
@@ -23,7 +23,7 @@ void write_picture(const image::RadianceImage& picture, const display::Settings&
 image::CodeImage picture_codes(const image::RadianceImage& picture, const display::Settings& display,
                                bool transparent);
 
-/// What write_picture writes into a .png or .jpg. Throws Error(usage) for a name that ends otherwise.
+/// The bytes that write_picture writes into a .png or .jpg. Throws Error(usage) for any other extension.
 std::vector<std::uint8_t> picture_bytes(const image::RadianceImage& picture, const display::Settings& display,
                                         bool transparent, const std::filesystem::path& path);
 

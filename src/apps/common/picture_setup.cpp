@@ -10,7 +10,7 @@
 namespace lambent::cli {
 namespace {
 
-// Of an animation: its name's place in the list, else the number that the word is.
+// The index of the animation that has the word as its name, else as its number.
 std::optional<std::size_t> index_of(const std::string& word, std::span<const scene::AnimationInfo> animations)
 {
     for (std::size_t i = 0; i < animations.size(); ++i)
@@ -33,7 +33,7 @@ std::string names_of(std::span<const scene::AnimationInfo> animations)
 
 } // namespace
 
-// Charts are looked at from the front; everything else three quarters from the front, a little from above.
+// Charts are seen from the front, other scenes from 20 degrees above and, but for the report's, 30 degrees to the side.
 view::Orbit default_orbit(const std::string& scene)
 {
     if (scene == "grid" || scene == "furnace")

@@ -1,4 +1,4 @@
-// What the commands that make pictures have in common: the scene and the camera asked for.
+// Scene, lights and camera of the commands that make pictures.
 #pragma once
 
 #include "apps/options/arguments.h"
@@ -13,30 +13,30 @@
 
 namespace lambent::cli {
 
-/// The built-in scene or the file, with what it names anywhere, at the moment asked for. Throws as scene::load_gltf and moment_asked. The files that
-/// the scene's file names beside it are added to `inputs`, if given.
+/// Loads the built-in scene or the file, at the animation time asked for. The file may refer to others in any folder;
+/// they are added to `inputs`, if given. Throws as scene::load_gltf and moment_asked.
 scene::Scene load_scene(const RenderArguments& arguments, Warnings& warnings, InputFiles* inputs = nullptr);
 
-/// What the command line itself names: the scene's file and the environment's.
+/// The files that the command line itself names: the scene's and the environment's.
 InputFiles inputs_named(const RenderArguments& arguments);
 
-/// The moment asked for of a file with these animations; none: it stands still. Throws Error(usage), naming them, where
-/// the one asked for is not there.
+/// The animation and the time in it that are asked for, if any. Throws Error(usage) if the animation is not one of
+/// `animations`, with their names.
 std::optional<scene::Moment> moment_asked(const RenderArguments& arguments,
                                           std::span<const scene::AnimationInfo> animations);
 
-/// The orbit or default view asked for of a scene in this box, whatever the camera node. As the box is, it is relative to the
-/// scene's origin.
+/// The camera of the orbit asked for, or of the default view, for a scene with these bounds; ignores the camera node.
+/// Like the bounds, it is relative to the scene's origin.
 view::Camera orbit_asked(const RenderArguments& arguments, const scene::Bounds& bounds,
                          const glm::dvec3& origin);
 
 /// The lights asked for, relative to the scene's origin.
 std::vector<scene::Light> lights_asked(const RenderArguments& arguments, const glm::dvec3& origin);
 
-/// From where a scene is looked at when nothing is said: the distance is 0.
+/// The default view of a scene. Its distance is 0: the camera frames the scene.
 view::Orbit default_orbit(const std::string& scene);
 
-/// The camera node, orbit or default view asked for. Throws Error(usage) for a camera node that is not there.
+/// The camera node, orbit or default view asked for. Throws Error(usage) for a camera node that does not exist.
 view::Camera choose_camera(const RenderArguments& arguments, const scene::Scene& scene);
 
 } // namespace lambent::cli

@@ -33,7 +33,7 @@ int exit_code(Failure failure)
     case Failure::cannot_write:
         return 5;
     }
-    return 1; // not reached: all kinds are above
+    return 1; // not reached: the switch has all kinds
 }
 
 int run_program(const std::function<void()>& work)
@@ -42,7 +42,7 @@ int run_program(const std::function<void()>& work)
     try {
         wide::limit_instructions_by_environment();
         work();
-        // A full disk or a closed pipe shows only here.
+        // A full disk or a closed pipe is noticed only here.
         return std::fflush(stdout) == 0 ? 0 : fail(Failure::cannot_write, "standard output: cannot write");
     } catch (const Error& error) {
         return fail(error.failure(), error.what());

@@ -8,7 +8,7 @@
 namespace lambent::cli {
 namespace {
 
-// Without a limit of the user's. Mirrors under a small lamp may never become as quiet as that.
+// The limits if the user gives none. Mirrors under a small lamp may never reach this noise, so samples end them.
 constexpr double usual_noise = 0.01;
 constexpr int usual_samples = 1024;
 
@@ -39,7 +39,7 @@ reference::Settings reference_settings(const ReferenceArguments& arguments, cons
     if (arguments.samples || no_limit)
         settings.samples = arguments.samples.value_or(usual_samples);
     settings.noise = arguments.noise.value_or(no_limit ? usual_noise : 0.0);
-    // A number of samples alone is what people ask for who want to know exactly what they get.
+    // With --spp alone every pixel gets exactly that number.
     settings.adaptive = !arguments.uniform && (settings.noise > 0.0 || arguments.seconds);
     return settings;
 }

@@ -1,4 +1,4 @@
-// What path tracing needs besides what drawing does.
+// Inputs of path tracing that drawing does not need.
 #pragma once
 
 #include "apps/options/arguments.h"
@@ -11,10 +11,10 @@
 
 namespace lambent::cli {
 
-/// The environment as it is in the file, unprepared; nothing for "none". Throws Error(bad_input).
+/// The environment's panorama, not prepared for lookups; nothing for "none". Throws Error(bad_input).
 std::optional<image::RadianceImage> load_raw_environment(const std::string& name, Warnings& warnings);
 
-/// What a command line asks of the path tracer. Throws as choose_camera.
+/// The settings of the path tracer for a command line. Throws as choose_camera.
 reference::Settings reference_settings(const ReferenceArguments& arguments, const scene::Scene& scene);
 
 } // namespace lambent::cli

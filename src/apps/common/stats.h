@@ -1,4 +1,4 @@
-// What was done, for programs to read.
+// Statistics as JSON.
 #pragma once
 
 #include "apps/common/stopwatch.h"
@@ -10,7 +10,7 @@ namespace lambent::cli {
 /// Adds "times_ms" (each stage and "total") and "peak_memory_mb" of this process.
 void add_cost(const Stopwatch& watch, nlohmann::ordered_json& stats);
 
-/// Prints one line on standard output.
+/// Prints the object as one line on standard output.
 void print(const nlohmann::ordered_json& object);
 
 } // namespace lambent::cli

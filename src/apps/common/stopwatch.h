@@ -10,7 +10,7 @@ namespace lambent::cli {
 
 class Stopwatch {
 public:
-    /// Ends the present stage, if any, under the given name.
+    /// Ends the stage that has been running since the last lap and records it under a name.
     void lap(const std::string& stage)
     {
         const Clock::time_point now = Clock::now();

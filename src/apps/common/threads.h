@@ -1,4 +1,4 @@
-// How many threads the work is spread over.
+// A limit on the number of threads.
 #pragma once
 
 #include <tbb/global_control.h>
@@ -6,7 +6,7 @@
 
 namespace lambent::cli {
 
-/// Limits TBB, and all that uses it, to `count` threads while it exists; 0: one per processor.
+/// While it exists, TBB and all that uses it are limited to `count` threads; 0: one per processor.
 class ThreadLimit {
 public:
     explicit ThreadLimit(int count)

@@ -23,13 +23,13 @@ const char* const footer =
 constexpr std::array command_rows = {
     CommandRow{"render", command::render, "Draw a picture of a scene"},
     CommandRow{"bake", command::bake, "Prefilter an environment for other renderers"},
-    CommandRow{"reference", command::reference, "The same picture, path-traced"},
-    CommandRow{"compare", command::compare, "Say how far a picture is from another"},
+    CommandRow{"reference", command::reference, "Path-trace the same picture"},
+    CommandRow{"compare", command::compare, "Measure how far a picture is from another"},
     CommandRow{"report", command::report, "Draw the 2014 report's figures and more, as one page"},
-    CommandRow{"view", command::view, "Show a scene in a window, to be turned and lit"},
-    CommandRow{"serve", command::serve, "Show a scene in browsers, to be turned and lit"},
+    CommandRow{"view", command::view, "Show a scene in a window, to turn and light it"},
+    CommandRow{"serve", command::serve, "Show a scene in browsers, to turn and light it"},
     CommandRow{"env", command::env, "Write a built-in environment"},
-    CommandRow{"info", command::info, "Say what is in a glTF or an image"}};
+    CommandRow{"info", command::info, "Describe a glTF or an image"}};
 
 template <class Arguments>
 void add_lists(std::vector<OptionList>& lists)
@@ -51,7 +51,7 @@ Command add_command(Command program, const CommandRow& row, Given& given)
     return added;
 }
 
-// What a command's words say, each by itself.
+// Parses the words of each option, without the rules between options.
 template <class Arguments>
 Arguments taken(const Given& given, unsigned command)
 {

@@ -13,7 +13,7 @@
 namespace lambent::cli {
 namespace {
 
-// The format that a name asks for: of one file, else it is a folder.
+// The format of a single file, by its extension; nothing for a folder.
 std::optional<BakeFormat> file_format(const std::string& output)
 {
     std::string extension = std::filesystem::path(output).extension().string();
@@ -31,7 +31,7 @@ std::optional<BakeFormat> file_format(const std::string& output)
     return std::nullopt;
 }
 
-// What the noise of N samples a texel would be worth where light is as uneven as 1024 samples are for 0.01.
+// The relative error of N random samples in light for which 1024 samples give 0.01.
 double error_of_samples(int samples)
 {
     return std::clamp(0.32 / std::sqrt(static_cast<double>(samples)), BakeArguments::least_error,
@@ -53,11 +53,11 @@ void settle_light(BakeArguments& arguments, const Given& given)
 void settle_format(BakeArguments& arguments, const Given& given)
 {
     if (arguments.output.empty())
-        throw Error(Failure::usage, "--output: nothing given");
+        throw Error(Failure::usage, "--output: the name is empty");
     const std::optional<BakeFormat> file = file_format(arguments.output);
     if (file && given("format") && *file != arguments.format)
-        throw Error(Failure::usage, text("--format: ", given.words("format").back(), " is not what ",
-                                         arguments.output, " says"));
+        throw Error(Failure::usage, text("--format: ", given.words("format").back(), " is not the format of ",
+                                         arguments.output));
     arguments.one_file = file.has_value();
     if (file)
         arguments.format = *file;
@@ -70,7 +70,7 @@ void check_texels(const BakeArguments& arguments, const Given& given)
         throw Error(Failure::usage, "--layout: only with --format exr or hdr");
     if (arguments.mirrored && arguments.layout == CubeLayout::equirectangular)
         throw Error(Failure::usage,
-                    "--mirrored: not with --layout equirect, which looks the same to everyone");
+                    "--mirrored: not with --layout equirect, which is the same for all renderers");
     if (given("texels") && is_picture)
         throw Error(Failure::usage, "--texels: only with --format ktx2 or dds");
     if (arguments.zstd && arguments.format != BakeFormat::ktx2)

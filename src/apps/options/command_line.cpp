@@ -13,10 +13,10 @@
 namespace lambent::cli {
 namespace {
 
-// Help is read on terminals of eighty columns: so wide are names and kinds, so wide is everything.
+// Widths of the help in columns: of the names of options, and of whole lines, which must fit terminals of 80.
 constexpr std::size_t names_width = 28, help_width = 80;
 
-// Lines of at most `width`, broken between words; breaks that are there stay.
+// Wraps text between words to lines of at most `width`; keeps its own line breaks.
 std::string wrapped(const std::string& words, std::size_t width)
 {
     std::string all, line;
@@ -84,7 +84,7 @@ std::vector<std::string> option_names(const CLI::App& command)
     return names;
 }
 
-// Whether the first word is a command, or asks for help or the version.
+// Throws Error(usage) unless the first word is a command or asks for help or the version.
 void check_first(const CLI::App& app, const std::string& word)
 {
     const std::vector<std::string> names = command_names(app);
@@ -99,21 +99,21 @@ void check_first(const CLI::App& app, const std::string& word)
     throw Error(Failure::usage, text(word, ": options follow the command: lambent COMMAND ... ", word));
 }
 
-// The words with `help [COMMAND]` as what asks that command for its help.
+// Replaces `help [COMMAND]` by `[COMMAND] --help`.
 std::vector<std::string> without_help_command(const CLI::App& app, std::vector<std::string> words)
 {
     check_first(app, words[1]);
     if (words[1] != "help")
         return words;
     if (words.size() > 3)
-        throw Error(Failure::usage, "help: of one command at a time: lambent help COMMAND");
+        throw Error(Failure::usage, "help: one command at a time: lambent help COMMAND");
     if (words.size() == 2 || words[2] == "help")
         return {words[0], "--help"};
     check_first(app, words[2]);
     return {words[0], words[2], "--help"};
 }
 
-// The command's first word that looks like an option and is none. CLI11 first tells of what is missing beside it.
+// Throws Error(usage) for the command's first unknown option, which CLI11 reports only after missing arguments.
 void refuse_unknown_option(const CLI::App& app)
 {
     for (const CLI::App* command : app.get_subcommands())
@@ -124,7 +124,7 @@ void refuse_unknown_option(const CLI::App& app)
                                                  "; lambent help ", command->get_name(), " lists them"));
 }
 
-// The first line of a message, for CLI11's may be long.
+// The first line of a message; CLI11's may have several.
 std::string first_line(const std::string& message)
 {
     return message.substr(0, message.find('\n'));
@@ -166,7 +166,7 @@ void Command::add(const Option& option, std::string_view heading, Given& given)
         added->required();
     else
         added->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)->check([](const std::string& word) {
-            return word.empty() ? "nothing given" : "";
+            return word.empty() ? "the value is empty" : "";
         });
 }
 
@@ -190,7 +190,7 @@ std::optional<std::string> CommandLine::parse(int count, const char* const* word
 {
     const std::vector<std::string> given = without_help_command(*app_, {words, words + count});
     try {
-        // As CLI11 wants them: the last one first, without the program's name.
+        // CLI11 takes the words in reverse order, without the program's name.
         app_->parse(std::vector<std::string>(given.rbegin(), given.rend() - 1));
     } catch (const CLI::CallForHelp&) {
         return app_->help();

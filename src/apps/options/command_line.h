@@ -1,4 +1,5 @@
-// The command line's commands and options by name. CLI11 stays behind this header: the compiler takes seconds over it.
+// Commands and options of the command line, parsed by CLI11. Only command_line.cpp includes CLI11: it takes seconds to
+// compile.
 #pragma once
 
 #include "apps/options/given.h"
@@ -16,25 +17,25 @@ class App;
 
 namespace lambent::cli {
 
-/// A command while its options are named; the program is one, too. A handle: copies name the same command.
+/// A command to which options are added; the program is one, too. A handle: copies refer to the same command.
 class Command {
 public:
     explicit Command(CLI::App& app) : app_(&app) {}
 
     Command add_subcommand(const std::string& name, const std::string& help);
 
-    /// Under a heading of the help. The parsing adds its words to `given`, which must outlive it: of what may be given the
-    /// last, which is not empty.
+    /// Adds an option under a heading of the help. Parsing adds its words to `given`, which must outlive the parsing.
+    /// Of an option of Form::option that is given several times, the last word counts; it must not be empty.
     void add(const Option& option, std::string_view heading, Given& given);
 
-    /// After parsing: whether it is the command that was given.
+    /// Whether parsing found this command.
     bool parsed() const;
 
 private:
     CLI::App* app_;
 };
 
-/// What the program says of itself.
+/// Texts about the program, for its help.
 struct Introduction {
     std::string name, about, version;
     std::string footer; ///< below the list of commands
@@ -47,9 +48,9 @@ public:
 
     Command program() { return Command(*app_); }
 
-    /// Fills the words. What is to be printed and nothing else, where help or the version is asked for: by --help, or as
-    /// a command of its own, `help [COMMAND]`. `words` are main's, the program's name first. Throws Error(usage), with
-    /// what was probably meant where a command or an option is mistyped.
+    /// Parses main's `words`, the program's name first. Returns the text to print if help or the version is asked for,
+    /// by --help, --version or the command `help [COMMAND]`. Throws Error(usage), with a suggestion where a command or
+    /// an option is mistyped.
     std::optional<std::string> parse(int count, const char* const* words);
 
 private:

@@ -1,4 +1,4 @@
-// The words of a command line as they were given.
+// The options of a command line, as given.
 #pragma once
 
 #include <map>
@@ -8,14 +8,14 @@
 
 namespace lambent::cli {
 
-/// By the names of options without dashes. Of a flag the word is "yes".
+/// The words given, by the names of options without dashes. A flag's word is "yes".
 class Given {
 public:
     void add(std::string_view name, const std::string& word) { words_[std::string(name)].push_back(word); }
 
     bool operator()(std::string_view name) const { return words_.contains(name); }
 
-    /// Of an option that may be repeated, each; none where it was not given.
+    /// All words of an option, in order; none if it was not given.
     const std::vector<std::string>& words(std::string_view name) const
     {
         static const std::vector<std::string> nothing;

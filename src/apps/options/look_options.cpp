@@ -1,4 +1,4 @@
-// The table of options: how surfaces and light look, and what draws them.
+// The table of options: materials, display, backend, and what viewers set.
 #include "apps/options/look_options.h"
 
 namespace lambent::cli {
@@ -12,8 +12,8 @@ Group<RenderArguments> material_group()
         command::of_scenes,
         {R("model", "MODEL", one_of("ggx phong"), "ggx")
              .at([](auto& a) -> auto& { return a.settings.model; })
-             .says("ggx, as glTF, or phong, as the report",
-                   "`ggx`, as glTF says, or `phong`, [as the report](PHONG.md)")
+             .says("Shading model: ggx as in glTF, or phong as in the 2014 report",
+                   "shading model: `ggx` as in glTF, or `phong` [as in the 2014 report](PHONG.md)")
              .control(12, {"Shading model", "Surfaces"}),
          R("roughness", "R", number(0.0, 1.0))
              .at([](auto& a) -> auto& { return a.settings.roughness_override; })
@@ -25,7 +25,8 @@ Group<RenderArguments> material_group()
          R("mip-level", "RULE", one_of("matched report"), "matched")
              .at([](auto& a) -> auto& { return a.settings.mip_level; })
              .says("phong: matched to the lobe, or the report's own choice, which shows blocks",
-                   "phong: `matched` to the lobe, or the `report`'s own points and levels, which show blocks")
+                   "phong: `matched` to the lobe, or the `report`'s own sample points and levels, which show "
+                   "blocks")
              .control(14, {"Mip level", "Surfaces"}),
          R("alpha", "A", above_zero(1.0e6))
              .at([](auto& a) -> auto& { return a.builtin.exponent; })
@@ -44,7 +45,7 @@ Group<RenderArguments> material_group()
              .control(17, {"Specular colour", "Surfaces", 0.0, 1.0}),
          R("density", "X", number(0.0625, 8.0), "1")
              .at([](auto& a) -> auto& { return a.builtin.density; })
-             .says("Built-in shapes: triangles along an edge, times the usual")
+             .says("Built-in shapes: factor on the number of triangles along an edge")
              .only(Needs::shapes)
              .place(21),
          R("no-energy-compensation")
@@ -56,31 +57,32 @@ Group<RenderArguments> material_group()
 Group<RenderArguments> display_group()
 {
     using R = Row<RenderArguments>;
-    return {"From light to pixels",
-            command::of_scenes,
-            {// Its control goes from the report's darkest picture to its brightest.
-             R("exposure", "E", above_zero(), "1")
-                 .at([](auto& a) -> auto& { return a.display.exposure; })
-                 .says("Factor on the light before the tone curve")
-                 .control(1, {"Exposure", "Display", 1e-3, 1e4, true}),
-             R("contrast", "K", above_zero(), "1")
-                 .at([](auto& a) -> auto& { return a.display.contrast; })
-                 .says("Power on the curve's result")
-                 .control(2, {"Contrast", "Display", 0.05, 20.0, true}),
-             R("tone", "CURVE", one_of("reinhard neutral aces agx linear"), "reinhard")
-                 .at([](auto& a) -> auto& { return a.display.tone; })
-                 .says("reinhard, neutral, aces, agx or linear",
-                       "`reinhard` (the report's), `neutral` (Khronos), `aces`, `agx`, `linear`")
-                 .control(3, {"Tone curve", "Display"}),
-             R("space", "SPACE", one_of("linear nonlinear"), "linear")
-                 .at([](auto& a) -> auto& { return a.display.encode; })
-                 .says("linear, or nonlinear: neither texels nor output converted",
-                       "`nonlinear`: neither texels nor the result are converted")
-                 .control(4, {"Space", "Display"}),
-             R("dither")
-                 .at([](auto& a) -> auto& { return a.display.dither; })
-                 .says("Noise of one code against banding")
-                 .place(26)}};
+    return {
+        "From light to pixels",
+        command::of_scenes,
+        {// The slider covers the exposures of all of the report's pictures.
+         R("exposure", "E", above_zero(), "1")
+             .at([](auto& a) -> auto& { return a.display.exposure; })
+             .says("Factor on the light before the tone curve")
+             .control(1, {"Exposure", "Display", 1e-3, 1e4, true}),
+         R("contrast", "K", above_zero(), "1")
+             .at([](auto& a) -> auto& { return a.display.contrast; })
+             .says("Exponent on the tone curve's result")
+             .control(2, {"Contrast", "Display", 0.05, 20.0, true}),
+         R("tone", "CURVE", one_of("reinhard neutral aces agx linear"), "reinhard")
+             .at([](auto& a) -> auto& { return a.display.tone; })
+             .says("Tone curve: reinhard, neutral, aces, agx or linear",
+                   "tone curve: `reinhard` (the report's), `neutral` (Khronos), `aces`, `agx` or `linear`")
+             .control(3, {"Tone curve", "Display"}),
+         R("space", "SPACE", one_of("linear nonlinear"), "linear")
+             .at([](auto& a) -> auto& { return a.display.encode; })
+             .says("Colour space of shading: linear, or nonlinear, which converts neither texels nor "
+                   "the result")
+             .control(4, {"Space", "Display"}),
+         R("dither")
+             .at([](auto& a) -> auto& { return a.display.dither; })
+             .says("Add noise of one code value against banding")
+             .place(26)}};
 }
 
 Group<RenderArguments> device_group()
@@ -90,9 +92,9 @@ Group<RenderArguments> device_group()
             command::of_scenes,
             {R("backend", "NAME", one_of("auto cpu vulkan"), "auto")
                  .at([](auto& a) -> auto& { return a.backend; })
-                 .says("auto, cpu, or to draw vulkan",
-                       "`cpu`: the processor; `vulkan`: [a Vulkan device](VULKAN.md), hardware before "
-                       "software; `auto`: hardware where there is some, else the processor")
+                 .says("auto, cpu or, for drawing only, vulkan",
+                       "`cpu`; `vulkan`: [a Vulkan device](VULKAN.md), hardware before software; `auto`: a "
+                       "hardware device if there is one, else the CPU")
                  .place(24)}};
 }
 
@@ -108,7 +110,7 @@ Group<RenderArguments> viewer_group()
                "mip_level irradiance light_emitted light_direct light_ambient light_specular background"),
            "picture")
              .at([](auto& a) -> auto& { return a.shown; })
-             .says("What is shown: the picture, its reference, the error, or a layer")
+             .says("Image to show: the picture, its reference, the error, or a layer")
              .control(5, {"Show", "Display"})}};
 }
 

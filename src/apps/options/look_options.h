@@ -1,4 +1,4 @@
-// The part of the table of options that says how surfaces and light look, and what draws them.
+// Part of the table of options: materials, display, backend, and what viewers set.
 #pragma once
 
 #include "apps/options/option_table.h"
@@ -9,7 +9,7 @@ Group<RenderArguments> material_group();
 Group<RenderArguments> display_group();
 Group<RenderArguments> device_group();
 
-/// What only the controls of viewers set, and the bounces that they have in common with `lambent reference`.
+/// Options that only the controls of viewers set, and --bounces, which viewers share with `lambent reference`.
 Group<RenderArguments> viewer_group();
 Group<RenderArguments> bounces_group();
 

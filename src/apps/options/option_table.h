@@ -1,4 +1,4 @@
-// The table of options: everything about an option is in its row.
+// The table of options. Its rows contain everything about an option.
 #pragma once
 
 #include "apps/options/arguments.h"
@@ -10,7 +10,7 @@
 
 namespace lambent::cli {
 
-/// The rows whose values are in such arguments.
+/// The rows whose values are members of `Arguments`.
 template <class Arguments>
 const std::vector<Group<Arguments>>& groups();
 
@@ -33,7 +33,7 @@ const std::vector<Group<InfoArguments>>& groups<InfoArguments>();
 template <>
 const std::vector<Group<CommonOptions>>& groups<CommonOptions>();
 
-/// Calls visit(row) for the rows of a command whose values are in such arguments.
+/// Calls visit(row) for the rows of `commands` whose values are members of `Arguments`.
 template <class Arguments, class Visit>
 void for_each_row(unsigned commands, Visit&& visit)
 {
@@ -43,17 +43,17 @@ void for_each_row(unsigned commands, Visit&& visit)
                 visit(row);
 }
 
-/// Whether an option says something of such a picture: of the scene and the model.
+/// Whether an option has an effect with the scene and the shading model of `arguments`.
 bool applies(Needs needs, const RenderArguments& arguments);
 
-/// Throws Error(usage) where it does not.
+/// Throws Error(usage) if the option has no effect.
 void check_needs(const Option& option, const RenderArguments& arguments);
 template <class Arguments>
 void check_needs(const Option&, const Arguments&)
 {
 }
 
-/// Sets what the words of a command line say. Throws Error(usage).
+/// Sets the values that a command line gives. Throws Error(usage).
 template <class Arguments>
 void take(const Given& given, unsigned command, Arguments& arguments)
 {
@@ -71,8 +71,8 @@ struct OptionWord {
     std::string word;
 };
 
-/// The words from which a command takes the same arguments: of options that differ from their defaults. Those that may be
-/// repeated have one word each.
+/// The options that differ from their defaults, as words from which the command gets the same arguments. An option that
+/// may be repeated appears once for each of its words.
 template <class Arguments>
 std::vector<OptionWord> words_of(const Arguments& arguments, unsigned command)
 {
@@ -90,7 +90,7 @@ std::vector<OptionWord> words_of(const Arguments& arguments, unsigned command)
     return words;
 }
 
-/// The same as a command line has them.
+/// Appends an option with its word to a command line.
 void append(std::vector<std::string>& line, const OptionWord& word);
 
 } // namespace lambent::cli

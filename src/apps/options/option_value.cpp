@@ -53,7 +53,7 @@ double number_of(const Option& option, const std::string& word)
         refuse_number(option, word,
                       text("a whole number from ", static_cast<long>(domain.least), " to ",
                            static_cast<long>(domain.most)));
-    // A float may be 0 where the number is not.
+    // Compared as floats, because a positive double may become 0 as a float.
     if (domain.above_least && !(static_cast<float>(value) > static_cast<float>(domain.least)))
         refuse_number(option, word, text("above ", domain.least));
     if (!is_in && domain.most >= any_number.most)

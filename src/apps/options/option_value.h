@@ -1,4 +1,4 @@
-// Where the value of an option is kept, and how its word becomes that value and is made of it again.
+// Where the value of an option is stored, and the conversions between its word and its value.
 #pragma once
 
 #include "apps/options/option.h"
@@ -12,18 +12,18 @@
 
 namespace lambent::cli {
 
-/// The number that a word is. Throws Error(usage) for what is not in the domain.
+/// Parses a number. Throws Error(usage) if it is not in the option's domain.
 double number_of(const Option& option, const std::string& word);
 
-/// The place of a word among the choices. Throws Error(usage), with what was probably meant, where it is none of them.
+/// The index of a word among the choices. Throws Error(usage), with a suggestion, for any other word.
 std::size_t choice_of(const Option& option, const std::string& word);
 
-/// As few digits as there can be, six at least, of a number that a float or a double holds; of an angle, degrees for the
-/// radians that a float holds. Nothing for a number below the domain: it was not given.
+/// The shortest word, of at least six digits, that reads back as the same number; for an angle, degrees of the radians
+/// in the float. A number below the domain gives the domain's word for it, if any, else an empty word: not set.
 std::string word_of_number(const Option& option, double value);
 std::string word_of_number(const Option& option, float value);
 
-/// What is said of a value that is not the default's where there are but two: of a flag "yes".
+/// Of an option with two values, the word that is not the default; "yes" for a flag.
 std::string other_word(const Option& option);
 
 template <class T>
@@ -80,8 +80,8 @@ std::string word_of(const Option& option, const T& value)
         return value_word(value);
 }
 
-/// Where a value is in the arguments of commands. An empty word stands for the default; of an
-/// option that may be repeated each word adds one.
+/// Sets and reads an option's value in the arguments of a command. An empty word restores the default; each word of an
+/// option that may be repeated adds a value.
 template <class Arguments>
 struct Value {
     void (*set)(Arguments& arguments, const Option& option,
@@ -91,7 +91,7 @@ struct Value {
     constexpr Value() = default;
     constexpr Value(decltype(set) setter, decltype(get) getter) : set(setter), get(getter) {}
 
-    /// The value that a lambda returns a reference to.
+    /// For the member to which a lambda returns a reference.
     template <class At>
     requires std::is_empty_v<At>
     constexpr Value(At) : set(&set_at<At>), get(&get_at<At>) {}
@@ -136,7 +136,7 @@ private:
     }
 };
 
-/// A row of the table: the option, and where its value is. What there is to say is added by one call each.
+/// A row of the table: an option and where its value is stored. Each further property is set by one call.
 template <class Arguments>
 struct Row {
     Option option;
@@ -145,7 +145,7 @@ struct Row {
     /// A flag.
     explicit Row(std::string_view name) : Row(name, {}, flag) {}
 
-    /// `word`: what the help calls its value; `usual`: the default's word, if anything is given by default.
+    /// `word`: name of the value in the help; `usual`: the default's word, if there is a default.
     Row(std::string_view name, std::string_view word, const Domain& domain, std::string_view usual = {})
         : option{name, word, domain, usual}
     {
@@ -163,7 +163,7 @@ struct Row {
     Row& control(int place, const Control& how) { return option.place = place, option.control = how, *this; }
 };
 
-/// Rows that stand under one heading in the help of the same commands.
+/// Rows under one heading in the help of the same commands.
 template <class Arguments>
 struct Group {
     std::string_view heading;

@@ -1,4 +1,4 @@
-// The table of options: what a picture shows.
+// The table of options: scene, light, camera, animation and output of a picture.
 #include "apps/options/look_options.h"
 #include "apps/options/option_table.h"
 
@@ -37,7 +37,7 @@ void set_moment(A& arguments, const Option& option, const std::string& word)
         return;
     const double moment = number_of(option, word);
     if (moment < 0.0)
-        throw Error(Failure::usage, text(dashed(option), ": '", word, "' is before the start"));
+        throw Error(Failure::usage, text(dashed(option), ": '", word, "' is before the animation's start"));
     arguments.moment = moment;
 }
 
@@ -50,7 +50,7 @@ const char* wanted(Needs needs)
 {
     switch (needs) {
     case Needs::ggx:
-        return "--model ggx; phong's is --alpha, the exponent";
+        return "--model ggx; for --model phong, --alpha sets the exponent";
     case Needs::phong_shapes:
         return "--model phong and a built-in shape";
     case Needs::shapes:
@@ -67,36 +67,36 @@ Group<A> light_group()
             command::of_scenes,
             {R("env", "ENV", any_text(environments), "kitchen")
                  .at([](auto& a) -> auto& { return a.environment; })
-                 .says("A panorama (.hdr, .exr), or kitchen, studio, sky, furnace, none", "the light around"),
+                 .says("Environment: a panorama (.hdr, .exr), or kitchen, studio, sky, furnace, none"),
              R("env-rotation", "DEG", {Kind::angle}, "0")
                  .at([](auto& a) -> auto& { return a.settings.environment_rotation; })
-                 .says("Turn the environment about the vertical")
+                 .says("Rotation of the environment about the vertical axis")
                  .control(7, {"Rotation", "Light", -180.0, 180.0}),
              R("background", "KIND", {Kind::background, 0, 0, false, "env none blur:"}, "env")
                  .at([](auto& a) -> auto& { return a.settings.background; })
-                 .says("env, none, R,G,B or blur:ROUGHNESS",
-                       "`env`, `none` (transparent), `R,G,B` (radiance) or `blur:ROUGHNESS`")
+                 .says("Background: env, none, R,G,B or blur:ROUGHNESS",
+                       "background: `env`, `none` (transparent), `R,G,B` (radiance) or `blur:ROUGHNESS`")
                  .control(11, {"Background", "Light", 0, 0, false,
                                "env none blur:0.2 blur:0.4 blur:0.7 0,0,0 0.2,0.2,0.2 1,1,1"}),
              R("light", "LIGHT", {Kind::light, 0, 0, false, "directional: point:"})
                  .at({add_light, light_words})
                  .form(Form::repeated)
                  .says("directional:AZ,EL,R,G,B (lux) or point:X,Y,Z,R,G,B (candela); repeatable",
-                       "`directional:AZ,EL,R,G,B` in lux, from AZ,EL as for the camera, or "
+                       "`directional:AZ,EL,R,G,B` in lux, from azimuth and elevation as for `--camera`, or "
                        "`point:X,Y,Z,R,G,B` in candela; repeatable")
                  .place(20),
              R("ambient-brightness", "B", number(0.0, 1.0e6), "1")
                  .at([](auto& a) -> auto& { return a.settings.ambient_brightness; })
-                 .usually("1; the report's is 2")
+                 .usually("1; in the 2014 report 2")
                  .says("Factor on diffuse environment light")
                  .control(8, {"Diffuse brightness", "Light", 0.0, 20.0}),
              R("ibl", "METHOD", one_of("sampled split-sum"), "sampled")
                  .at([](auto& a) -> auto& { return a.split_sum; })
                  .says("Specular environment light: sampled, or split-sum, 8 samples",
                        "specular environment light: `sampled`, or `split-sum`: [8 wide "
-                       "lookups](ERRORS.md#split-sum), whatever `--samples` says")
+                       "lookups](ERRORS.md#split-sum), whatever `--samples` is")
                  .control(9, {"Specular light", "Light"}),
-             // More than its control has take many minutes, as with --aa.
+             // The control ends below the option's limit, as that of --aa does: more samples take minutes.
              R("samples", "N", whole(1, 65536), "40")
                  .at([](auto& a) -> auto& { return a.settings.samples; })
                  .says("Samples of the specular lobe")
@@ -110,52 +110,54 @@ Group<A> light_group()
 Group<A> view_group()
 {
     using R = Row<A>;
-    return {"View and moment",
-            command::of_scenes,
-            {R("size", "WxH", {Kind::size}, "1280x720")
-                 .at([](auto& a) -> auto& { return a.settings; })
-                 .says("Picture size in pixels"),
-             R("camera", "AZ,EL[,DIST]", {Kind::orbit})
-                 .at([](auto& a) -> auto& { return a.orbit; })
-                 .usually("frames it")
-                 .says("Degrees around and above the scene, metres from its middle",
-                       "degrees around and above the scene, metres from its middle; azimuth 0 looks from +Z"),
-             R("target", "X,Y,Z", {Kind::place})
-                 .at([](auto& a) -> auto& { return a.target; })
-                 .usually("the scene's middle")
-                 .says("The point that --camera, with a distance, is around, metres"),
-             R("camera-node", "NAME", any_text())
-                 .at([](auto& a) -> auto& { return a.camera_node; })
-                 .says("A camera of the glTF, with its own field of view",
-                       "[a camera of the glTF](#cameras-and-places): its node's name, else its own, else "
-                       "`camera0`, `camera1`, ..."),
-             R("fov", "DEG", {Kind::angle, 0.1, 175.0}, "45")
-                 .at([](auto& a) -> auto& { return a.vertical_fov; })
-                 .says("Vertical field of view, 0.1 to 175",
-                       "vertical field of view, 0.1 to 175 degrees; not with `--camera-node`")
-                 .control(18, {"Field of view", "Camera", 1.0, 170.0}),
-             R("aa", "N", whole(1, 64), "4")
-                 .at([](auto& a) -> auto& { return a.settings.edge_samples; })
-                 .says("Samples per pixel where surfaces end")
-                 .control(19, {"Edge samples", "Camera", 1.0, 16.0}),
-             R("animation", "NAME|N", any_text())
-                 .at([](auto& a) -> auto& { return a.animation; })
-                 .form(Form::joined)
-                 .usually("none; with --moment 0")
-                 .says("An animation of the glTF, or its number from 0",
-                       "an animation of the glTF, by its name (`info` lists them), else by its number from "
-                       "0; without, the scene is as it stands in the file")
-                 .only(Needs::file)
-                 .place(22),
-             R("moment", "S", any_number)
-                 .at({set_moment, moment_word})
-                 .form(Form::joined)
-                 .usually("0")
-                 .says("Seconds from its start, at most its duration",
-                       "seconds from the animation's start; what is later is its end; the camera frames the "
-                       "scene as it stands, so that moments make a sequence")
-                 .only(Needs::file)
-                 .place(23)}};
+    return {
+        "View and time",
+        command::of_scenes,
+        {R("size", "WxH", {Kind::size}, "1280x720")
+             .at([](auto& a) -> auto& { return a.settings; })
+             .says("Picture size in pixels"),
+         R("camera", "AZ,EL[,DIST]", {Kind::orbit})
+             .at([](auto& a) -> auto& { return a.orbit; })
+             .usually("frames the scene")
+             .says("Azimuth and elevation in degrees, distance from the target in metres",
+                   "azimuth and elevation in degrees, distance from the target in metres; at azimuth 0 the "
+                   "camera looks from +Z"),
+         R("target", "X,Y,Z", {Kind::place})
+             .at([](auto& a) -> auto& { return a.target; })
+             .usually("the scene's centre")
+             .says("Point around which --camera is placed, in metres; needs its distance"),
+         R("camera-node", "NAME", any_text())
+             .at([](auto& a) -> auto& { return a.camera_node; })
+             .says("A camera of the glTF, with its own field of view",
+                   "[a camera of the glTF](#cameras-and-places): its node's name, else its own, else "
+                   "`camera0`, `camera1`, ..."),
+         R("fov", "DEG", {Kind::angle, 0.1, 175.0}, "45")
+             .at([](auto& a) -> auto& { return a.vertical_fov; })
+             .says("Vertical field of view, 0.1 to 175 degrees",
+                   "vertical field of view, 0.1 to 175 degrees; not with `--camera-node`")
+             .control(18, {"Field of view", "Camera", 1.0, 170.0}),
+         R("aa", "N", whole(1, 64), "4")
+             .at([](auto& a) -> auto& { return a.settings.edge_samples; })
+             .says("Samples per pixel at the edges of surfaces")
+             .control(19, {"Edge samples", "Camera", 1.0, 16.0}),
+         R("animation", "NAME|N", any_text())
+             .at([](auto& a) -> auto& { return a.animation; })
+             .form(Form::joined)
+             .usually("none, or 0 with --moment")
+             .says("An animation of the glTF, by name or by number from 0",
+                   "an animation of the glTF, by its name (`info` lists them), else by its number from "
+                   "0; without one, the scene is as it is in the file")
+             .only(Needs::file)
+             .place(22),
+         R("moment", "S", any_number)
+             .at({set_moment, moment_word})
+             .form(Form::joined)
+             .usually("0")
+             .says("Time in seconds from the animation's start, at most its duration",
+                   "time in seconds from the animation's start; later times show its end; the camera "
+                   "frames the scene as it is in the file, so that the view is the same at all times")
+             .only(Needs::file)
+             .place(23)}};
 }
 
 Group<A> scene_group()
@@ -177,7 +179,7 @@ Group<A> output_group()
             {R("output", "FILE", any_text())
                  .at([](auto& a) -> auto& { return a.output; })
                  .form(Form::required, 'o')
-                 .says("The picture: .png .jpg (as displayed), .exr .hdr (linear radiance)",
+                 .says("Picture: .png .jpg (as displayed), .exr .hdr (linear radiance)",
                        "`.png` or `.jpg`: as displayed; `.exr` or `.hdr`: linear radiance before exposure "
                        "and tone curve, in `.exr` with coverage as alpha")}};
 }
@@ -185,18 +187,19 @@ Group<A> output_group()
 Group<A> render_group()
 {
     using R = Row<A>;
-    return {"Options",
-            command::render,
-            {R("layers", "DIR", any_text())
-                 .at([](auto& a) -> auto& { return a.layers; })
-                 .says("Also write each layer of the G-buffer and of the light",
-                       "each layer of the G-buffer and of the light, as `.exr` and as `.png` to look at: "
-                       "[which](#layers)"),
-             R("pipeline", "WHOSE", one_of("light report"), "light")
-                 .at([](auto& a) -> auto& { return a.report_pipeline; })
-                 .says("light, added up and then shown, or the 2014 report's own",
-                       "`light` is added up and then shown; `report`: [the 2014 report's own order of "
-                       "things](REPORT.md#the-reports-own-pipeline), with `--model phong` alone")}};
+    return {
+        "Options",
+        command::render,
+        {R("layers", "DIR", any_text())
+             .at([](auto& a) -> auto& { return a.layers; })
+             .says("Also write each layer of the G-buffer and of the light",
+                   "also write each layer of the G-buffer and of the light, as `.exr` with its values and "
+                   "as `.png` to look at ([list](#layers))"),
+         R("pipeline", "ORDER", one_of("light report"), "light")
+             .at([](auto& a) -> auto& { return a.report_pipeline; })
+             .says("light: sum the light, then display it; report: as in the 2014 report",
+                   "`light`: the light is summed, then displayed; `report`: [the 2014 report's own "
+                   "pipeline](REPORT.md#the-reports-own-pipeline), only with `--model phong`")}};
 }
 
 } // namespace

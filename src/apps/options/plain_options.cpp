@@ -1,4 +1,4 @@
-// The table of options: what all commands take, and what those take that have few of their own.
+// The table of options: of all commands, and of `lambent serve`, `env` and `info`.
 #include "apps/options/option_table.h"
 
 #include "base/error.h"
@@ -9,9 +9,9 @@
 namespace lambent::cli {
 namespace {
 
-// --quiet and --verbose are flags of one value.
+// The value of --quiet and --verbose, which set the same member.
 template <Verbosity verbosity>
-constexpr Value<CommonOptions> says{
+constexpr Value<CommonOptions> sets{
     [](CommonOptions& a, const Option&, const std::string& word) {
         a.verbosity = word.empty() ? Verbosity::normal : verbosity;
     },
@@ -42,7 +42,7 @@ void set_sun(EnvArguments& arguments, const Option& option, const std::string& w
     const std::vector<double> sun = parse_list(word, {2, 2}, dashed(option));
     if (sun[1] < -5.7 || sun[1] > 90.0)
         throw Error(Failure::usage,
-                    text(dashed(option), ": ", word, ": the elevation is not from -5.7 to 90 degrees"));
+                    text(dashed(option), ": ", word, ": the elevation must be from -5.7 to 90 degrees"));
     options.sun_azimuth = turned(sun[0]);
     options.sun_elevation = radians(sun[1]);
 }
@@ -68,19 +68,20 @@ const std::vector<Group<CommonOptions>>& groups<CommonOptions>()
          {R("threads", "N", whole(1, 1024))
               .at([](auto& a) -> auto& { return a.threads; })
               .usually("one per processor")
-              .says("Worker threads"),
+              .says("Number of worker threads"),
           R("stats", "json", one_of("json"))
               .at([](auto& a) -> auto& { return a.stats_json; })
               .says("Print what was done and how long it took, as one JSON object",
-                    "(not with `view` and `serve`) one JSON object on standard output: milliseconds per "
-                    "stage and, of a Vulkan device, per pass; backend, device, triangles, peak memory"),
+                    "print one JSON object on standard output: milliseconds per stage and, on a Vulkan "
+                    "device, per pass; backend, device, triangles, peak memory; not with `view` and `serve`"),
           R("strict")
               .at([](auto& a) -> auto& { return a.strict; })
-              .says("A warning about an input file is an error, exit code 3",
-                    "a warning about an input file is an error, exit code 3; not one about a device or an "
-                    "early stop"),
-          R("quiet").at(says<Verbosity::quiet>).says("No progress bar, no warnings"),
-          R("verbose").at(says<Verbosity::verbose>).says("Say what is being done")}}};
+              .says(
+                  "Treat warnings about input files as errors, exit code 3",
+                  "treat warnings about input files as errors, exit code 3; those about a device or an early "
+                  "stop stay warnings"),
+          R("quiet").at(sets<Verbosity::quiet>).says("No progress bar, no warnings"),
+          R("verbose").at(sets<Verbosity::verbose>).says("Print what is being done")}}};
     return all;
 }
 
@@ -93,17 +94,17 @@ const std::vector<Group<ServeArguments>>& groups<ServeArguments>()
          command::serve,
          {R("port", "P", whole(0, 65535), "8080")
               .at([](auto& a) -> auto& { return a.port; })
-              .says("The port to listen at; 0: any that is free"),
+              .says("Port to listen on; 0: any free port"),
           R("host", "ADDR", any_text(), "127.0.0.1")
               .at([](auto& a) -> auto& { return a.host; })
-              .says("The address to listen at", "the address to listen at; `0.0.0.0`: all"),
+              .says("Address to listen on", "address to listen on; `0.0.0.0`: all"),
           R("token", "T", any_text())
               .at([](auto& a) -> auto& { return a.token; })
-              .says("What viewers must know; needed where others than this machine can come in",
-                    "what viewers must know: needed unless only this machine can come in, else exit code 2"),
+              .says("Secret that viewers must give; needed if other machines can connect",
+                    "secret that viewers must give; needed if other machines can connect, else exit code 2"),
           R("sessions", "N", whole(1, 48), "8")
               .at([](auto& a) -> auto& { return a.sessions; })
-              .says("Viewers at once", "viewers at once, 1 to 48")}}};
+              .says("Maximum number of viewers at a time", "maximum number of viewers at a time, 1 to 48")}}};
     return all;
 }
 
@@ -126,15 +127,15 @@ const std::vector<Group<EnvArguments>>& groups<EnvArguments>()
               .at({set_width, width_word})
               .usually("1024x512; kitchen 2048x1024")
               .says("Size in texels, twice as wide as high",
-                    "texels: a power of two from 64 to 8192, and half of it"),
+                    "size in texels: the width is a power of two from 64 to 8192, the height half of it"),
           R("sun", "AZ,EL", {Domain::Kind::orbit})
               .at({set_sun, sun_word})
               .usually("-46,40")
-              .says("sky: where the sun stands, degrees, as --camera",
-                    "`sky`: where the sun stands, degrees, -5.7 to 90 above the horizon"),
+              .says("sky: azimuth and elevation of the sun in degrees, as for --camera",
+                    "`sky`: azimuth and elevation of the sun in degrees, -5.7 to 90 above the horizon"),
           R("turbidity", "T", number(1.5, 10.0), "2.2")
               .at([](auto& a) -> auto& { return a.builtin.turbidity; })
-              .says("sky: haze, 1.5 to 10")}}};
+              .says("sky: turbidity (haze), 1.5 to 10")}}};
     return all;
 }
 
@@ -149,7 +150,7 @@ const std::vector<Group<InfoArguments>>& groups<InfoArguments>()
               .at([](auto& a) -> auto& { return a.file; })
               .form(Form::positional)
               .says("A .gltf, .glb, .hdr, .exr, .png or .jpg"),
-          R("json").at([](auto& a) -> auto& { return a.json; }).says("As one JSON object")}}};
+          R("json").at([](auto& a) -> auto& { return a.json; }).says("Print one JSON object")}}};
     return all;
 }
 

@@ -20,25 +20,26 @@ void check_view(const RenderArguments& arguments, const Given& given)
     refuse_if(has_node && given("camera"), "--camera and --camera-node exclude each other");
     refuse_if(given("target") && !(arguments.orbit && arguments.orbit->distance > 0.0f),
               "--target: only with --camera AZ,EL,DIST");
-    refuse_if(has_node && given("fov"), "--fov and --camera-node exclude each other: a camera has its own");
+    refuse_if(has_node && given("fov"),
+              "--fov and --camera-node exclude each other: a camera has its own field of view");
 }
 
-// The report's own order of things goes with little else.
+// Sets up the report's own pipeline; refuses options that it cannot follow.
 void settle_pipeline(RenderArguments& arguments, const Given& given)
 {
     draw::Settings& settings = arguments.settings;
     display::Settings& display = arguments.display;
     refuse_if(settings.model != draw::Model::phong, "--pipeline report: only with --model phong");
     refuse_if(given("mip-level") && settings.mip_level != draw::MipLevel::report,
-              "--pipeline report: its levels are the report's, not --mip-level matched");
+              "--pipeline report: not with --mip-level matched: it uses the report's own levels");
     refuse_if(display.tone != display::Tone::reinhard,
-              "--pipeline report: its tone curve is the report's: no --tone");
+              "--pipeline report: not with --tone: it uses the report's own tone curve");
     settings.pipeline = draw::ReportPipeline{display.exposure, display.contrast, display.encode};
     settings.mip_level = draw::MipLevel::report;
-    settings.texel_transfer = draw::TexelTransfer::none; // its passes decode
+    settings.texel_transfer = draw::TexelTransfer::none; // the pipeline decodes texels itself
     if (!given("ambient-brightness"))
         settings.ambient_brightness = 2.0f;
-    // What is drawn are codes.
+    // The pipeline draws code values, which the display must not change.
     display.exposure = display.contrast = 1.0f;
     display.tone = display::Tone::linear;
     display.encode = false;
@@ -76,9 +77,9 @@ void settle(ReferenceArguments& arguments, const Given& given)
 {
     settle(arguments.picture, given);
     refuse_if(arguments.picture.backend == Backend::vulkan,
-              "--backend: vulkan draws, but does not trace: references are made by cpu");
+              "--backend vulkan: references are path-traced on the CPU only");
     refuse_if(!arguments.variance.empty() && arguments.samples == 1,
-              "--variance: one sample per pixel tells none: --spp 2 or more");
+              "--variance: needs two samples per pixel or more: --spp 2");
 }
 
 void settle(StartArguments& arguments, const Given& given)
@@ -86,7 +87,7 @@ void settle(StartArguments& arguments, const Given& given)
     settle(arguments.picture, given);
     arguments.given = given;
     refuse_if(arguments.picture.common.stats_json,
-              "--stats: not with viewers, which run until they are ended");
+              "--stats: not with view and serve, which run until they are closed");
 }
 
 void settle(CompareArguments& arguments, const Given& given)
@@ -97,12 +98,12 @@ void settle(CompareArguments& arguments, const Given& given)
 void settle(ReportArguments& arguments, const Given& given)
 {
     const int width = arguments.width, height = arguments.height;
-    refuse_if(arguments.output.empty(), "--output: nothing given");
+    refuse_if(arguments.output.empty(), "--output: the name is empty");
     refuse_if(arguments.environment == "none", "--env: a report needs an environment");
     refuse_if(arguments.quick && (given("noise") || given("spp")),
-              "--quick makes no references: --noise and --spp say nothing then");
+              "--quick: not with --noise or --spp, which are limits of references");
     refuse_if(width < 16 || height < 16 || width > 4096 || height > 4096,
-              "--size: ", size_word({width, height}), " is not from 16x16 to 4096x4096");
+              "--size: ", size_word({width, height}), " is outside of 16x16 to 4096x4096");
 }
 
 } // namespace lambent::cli

@@ -1,14 +1,14 @@
-// What options mean together, once the words of each were taken.
+// Rules between options, applied after the words of each were parsed.
 #pragma once
 
 #include "apps/options/arguments.h"
 
 namespace lambent::cli {
 
-/// Makes of what was asked for what is drawn: settings that follow from others.
+/// Sets the settings that follow from others.
 void derive(RenderArguments& arguments);
 
-/// The same, of a command line. Each throws Error(usage) for what does not go together.
+/// Checks the options of a command line against each other and sets what follows from them. Each throws Error(usage).
 void settle(RenderArguments& arguments, const Given& given);
 void settle(ReferenceArguments& arguments, const Given& given);
 void settle(BakeArguments& arguments, const Given& given);

@@ -37,7 +37,7 @@ void check_not_negative(const glm::vec3& color, const std::string& word, const s
         refuse(option, word, "a colour: a part is negative");
 }
 
-// Of the fewest digits, at least six, that are read as the value again.
+// The shortest word, of at least six digits, for which is_same(the number read back) holds.
 template <class Same>
 std::string shortest(double value, Same is_same)
 {
@@ -138,7 +138,7 @@ double parse_number(const std::string& word, const std::string& option)
     if (first != last && *first == '+')
         ++first;
     const auto [end, error] = std::from_chars(first, last, value);
-    // Beyond float's range a number would become infinite where it is used.
+    // Most values are stored as floats: larger numbers would become infinite.
     if (error == std::errc::result_out_of_range || (end == last && std::fabs(value) > 3.0e38))
         refuse(option, word, "a number up to 3e38");
     if (error != std::errc() || end != last || !std::isfinite(value))

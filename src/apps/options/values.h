@@ -1,4 +1,4 @@
-// Words of the command line that are more than one number.
+// Conversions between words of the command line and their values.
 #pragma once
 
 #include "draw/settings.h"
@@ -15,13 +15,13 @@ struct Size {
     int width = 0, height = 0;
 };
 
-/// A number, whole string, finite. Throws Error(usage) naming `option`.
+/// Parses a whole word as a finite number of magnitude at most 3e38. Throws Error(usage) naming `option`.
 double parse_number(const std::string& word, const std::string& option);
 
 /// "WxH", each from 1 to 65536 and at most 2^28 pixels. Throws Error(usage).
 Size parse_size(const std::string& word, const std::string& option);
 
-/// Numbers between commas; their count must be from `least` to `most`. Throws Error(usage).
+/// Numbers separated by commas; their count must be from `least` to `most`. Throws Error(usage).
 struct Count {
     std::size_t least, most;
 };
@@ -43,28 +43,28 @@ draw::Background parse_background(const std::string& word, const std::string& op
 /// Throws Error(usage).
 scene::Light parse_light(const std::string& word, const std::string& option);
 
-/// Where the light of such a word stands, in all its digits; the origin where it is directional. Throws Error(usage).
+/// The position of such a light in double precision; the origin for a directional light. Throws Error(usage).
 glm::dvec3 light_place(const std::string& word, const std::string& option);
 
 float radians(double degrees);
 
-/// The same angle from -180 to 180 degrees, in radians.
+/// An angle in degrees, brought into -180 to 180 degrees, in radians.
 float turned(double degrees);
 
 /// A number as a word of at most six digits.
 std::string number_word(double value);
 
-/// The shortest words, of six digits at least, from which the same values are read again.
+/// The shortest words, of at least six digits, that read back as the same values.
 std::string exact_word(double value);
 std::string exact_word(float value);
-std::string degrees_word(float value); ///< of radians
+std::string degrees_word(float value); ///< degrees of an angle in radians
 std::string value_word(const glm::vec3& color);
 std::string value_word(const glm::dvec3& point);
 std::string value_word(const view::Orbit& orbit);
 std::string value_word(const draw::Background& background);
 std::string size_word(Size size);
 
-/// A number of so many digits.
+/// A number with at most `digits` significant digits.
 std::string word_of_digits(double value, int digits);
 
 } // namespace lambent::cli
