@@ -236,8 +236,8 @@ vec2 spread_point(std::uint64_t i)
 in_double::Metallic metallic_of(const scene::Material& m)
 {
     const double r = static_cast<double>(m.perceptual_roughness);
-    return {to_vec(glm::vec3(m.base_color)), static_cast<double>(m.metallic), std::max(r * r, least_alpha),
-            1.0};
+    return {to_vec(glm::vec3(m.base_color)), static_cast<double>(m.metallic),
+            vec2(std::max(r * r, least_alpha)), vec3(0.0), 1.0};
 }
 
 // What brdf_metallic multiplies its lobe by, as factors of Schlick's two parts.
@@ -270,7 +270,7 @@ vec3 by_lobe(const Light& light, const in_double::Metallic& m, const Met& met, c
     const in_double::mat3 frame = in_double::orthonormal_frame(met.normal);
     const vec3 view = in_double::in_frame(frame, met.view);
     const vec3 stretched = in_double::stretched_view(view, m.alpha);
-    const Gains gains = gains_of(m, albedo_at(view.z, m.alpha));
+    const Gains gains = gains_of(m, albedo_at(view.z, m.alpha.x));
     vec3 sum(0.0);
     for (int i = 0; i < series.count; ++i) {
         const vec2 xi = spread_point(series.first + static_cast<std::uint64_t>(i) * series.step);
@@ -281,7 +281,7 @@ vec3 by_lobe(const Light& light, const in_double::Metallic& m, const Met& met, c
         const vec3 L = 2.0 * VH * h - view;
         if (L.z <= 0.0)
             continue;
-        sum += in_double::shadowing_ggx(L.z, view.z, m.alpha) * reflectance(gains, std::min(VH, 1.0)) *
+        sum += in_double::shadowing_ggx(L.z, view.z, m.alpha.x) * reflectance(gains, std::min(VH, 1.0)) *
                light.bilinear(normalize(frame * L));
     }
     return (1.0 / series.count) * sum;
@@ -290,7 +290,7 @@ vec3 by_lobe(const Light& light, const in_double::Metallic& m, const Met& met, c
 vec3 by_peaks(const std::vector<Light::Peak>& peaks, const in_double::Metallic& m, const Met& met)
 {
     const double NV = dot(met.normal, met.view);
-    const Gains gains = gains_of(m, albedo_at(NV, m.alpha));
+    const Gains gains = gains_of(m, albedo_at(NV, m.alpha.x));
     vec3 sum(0.0);
     for (const Light::Peak& peak : peaks) {
         const double NL = dot(met.normal, peak.direction);
@@ -299,7 +299,8 @@ vec3 by_peaks(const std::vector<Light::Peak>& peaks, const in_double::Metallic& 
         const vec3 h = normalize(met.view + peak.direction);
         const double NH = std::clamp(dot(met.normal, h), 0.0, 1.0),
                      VH = std::clamp(dot(met.view, h), 0.0, 1.0);
-        const double lobe = in_double::density_ggx(NH, m.alpha) * in_double::visibility_ggx(NL, NV, m.alpha);
+        const double lobe =
+            in_double::density_ggx(NH, m.alpha.x) * in_double::visibility_ggx(NL, NV, m.alpha.x);
         sum += (lobe * NL) * reflectance(gains, VH) * peak.light;
     }
     return sum;
@@ -364,7 +365,7 @@ struct Sources {
 void fill(const Sources& sources, const scene::Material& material, SphereRays& rays, TruePixel& pixel)
 {
     const in_double::Metallic m = metallic_of(material);
-    const bool sharp = m.alpha < 0.01, narrow = m.alpha < 0.08;
+    const bool sharp = m.alpha.x < 0.01, narrow = m.alpha.x < 0.08;
     const int across = sharp ? 64 : 8, lobe_samples = 65536 / (across * across);
     const std::uint64_t start = 1000003u * static_cast<std::uint64_t>(pixel.x + 1280 * pixel.y) % 1048576u;
     vec3 specular(0.0), diffuse(0.0), peaks(0.0);
@@ -382,7 +383,7 @@ void fill(const Sources& sources, const scene::Material& material, SphereRays& r
             ++peak_count;
         }
         if (across == 8 ? (column % 4 == 2 && row % 4 == 2) : (column % 32 == 16 && row % 32 == 16)) {
-            const vec2 albedo = albedo_at(dot(met->normal, met->view), m.alpha);
+            const vec2 albedo = albedo_at(dot(met->normal, met->view), m.alpha.x);
             const vec3 under = in_double::reflectance_metallic(m, albedo).diffuse;
             if (m.metalness < 1.0)
                 diffuse += (0.25 / pi) * under * irradiance(sources.cells, met->normal);
