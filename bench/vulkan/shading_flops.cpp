@@ -130,7 +130,17 @@ vec2 pixel_point(const Environment&, int)
     return {0.1, -0.2};
 }
 
+bool any_of(Mask m)
+{
+    return m;
+}
+int has_stretch()
+{
+    return 0;
+}
+
 #include "shading/surface/pixel.glsl"
+#include "shading/lobes/facets.glsl"
 #include "shading/lobes/ggx_light.glsl"
 
 #pragma GCC diagnostic pop
@@ -139,7 +149,8 @@ double flops_of(const Environment& environment)
 {
     const Mirror mirror = {{{0.0, 0.0, 1.0}, {0.6, 0.0, 0.8}, {1e-3, 0.0, 1e-4}, {0.0, 1e-3, 1e-4}},
                            {0.0, 1.0, 0.0},
-                           0.25,
+                           vec2(0.25),
+                           vec3(0.0),
                            {0.8, 0.1}};
     counted = 0;
     specular_ggx(environment, mirror);

@@ -70,6 +70,14 @@ struct LobeSample {
     Real variance;
 };
 
+// smith_ggx of the view mirrored by a facet, whose cosine is NL. Witness: lobe_sample's.
+Real smith_of_mirrored(LobeSampling s, vec3 n, Real VH, Real NL)
+{
+    if (has_stretch() != 0)
+        return smith_ggx(vec3(2.0 * VH * n.x - s.view.x, 2.0 * VH * n.y - s.view.y, NL), s.alpha);
+    return smith_ggx(NL, s.alpha.x);
+}
+
 // Blurring the samples spreads the lobe. Where the density of samples times the blur's variance s^2 is the same
 // everywhere, as here, what flows out of a place is 1/2 s^2 times the gradient of their weight w: so the samples are
 // moved up by 1/2 s^2 grad(log w), and the blur carries them back. That gradient is the cosine's, which lifts
@@ -87,7 +95,7 @@ LobeSample lobe_sample(LobeSampling s, vec3 point)
     // Nothing is reflected from below the horizon: this little amount keeps the mean defined where all samples are
     // such.
     Real NL = max(2.0 * VH * n.z - s.view.z, 1.0e-4);
-    Real SL = smith_of(vec3(2.0 * VH * n.x - s.view.x, 2.0 * VH * n.y - s.view.y, NL), s.alpha);
+    Real SL = smith_of_mirrored(s, n, VH, NL);
     // What is divided by: the lobe's slope, shadowing, the lift. One division does for the three.
     Real slope = max(slope_of(n, sine2, cosine2, s.alpha), 1.0e-12);
     Real both = NL * s.SV + s.view.z * SL;
@@ -123,7 +131,9 @@ LampWeights lamp_weights(LobeSampling s, vec3 L, Real cut)
     Real sine2 = (sum.x * sum.x + sum.y * sum.y) * inverse * inverse;
     Real cosine2 = sum.z * sum.z * inverse * inverse;
     Real a2 = s.alpha.x * s.alpha.y;
-    Real slope = slope_of(inverse * sum, sine2, cosine2, s.alpha);
+    Real slope = sine2 + a2 * cosine2;
+    if (has_stretch() != 0)
+        slope = slope_ggx(inverse * sum, s.alpha);
     // density_ggx times visibility_ggx times NL, with one division.
     Real over = 0.15915494309189535 * a2 * NL;
     Real under = slope * slope * (NL * s.SV + s.view.z * smith_of(vec3(L.x, L.y, NL), s.alpha));

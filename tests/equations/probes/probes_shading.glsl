@@ -114,8 +114,9 @@ Outputs shading_lobe_sample(Inputs i)
 {
     vec3 view = normalize(upper_direction(i.a, i.b) + vec3(0.0, 0.0, 0.2));
     vec2 t = turn(i.c);
-    LobeSample s = lobe_sample(lobe_sampling(view, vec2(0.1 + 0.9 * i.d, 0.1 + 0.9 * i.f), 0.025), vec3(0.9 * i.e, t.x, t.y));
-    return outputs(s.direction, s.weight + s.size + s.grazing + s.variance);
+    LobeSampling lobe = lobe_sampling(view, vec2(0.1 + 0.9 * i.d, 0.1 + 0.9 * i.f), 0.025);
+    LobeSample s = lobe_sample(lobe, vec3(0.9 * i.e, t.x, t.y));
+    return outputs(s.direction, s.weight + s.size + s.grazing + s.variance + smith_of_mirrored(lobe, view, i.g, i.h));
 }
 
 Outputs shading_lamps(Inputs i)
