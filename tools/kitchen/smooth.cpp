@@ -25,7 +25,7 @@ struct Lit {
     glm::vec3 light{0.0f};
     float variance = 0.0f;
 };
-using Picture = std::vector<Lit>;
+using LitImage = std::vector<Lit>;
 
 struct Size {
     int width, height;
@@ -44,7 +44,7 @@ float luminance(const glm::vec3& c)
 }
 
 // The weighted mean of the variance over 3x3 pixels: variances of eight replicates are imprecise.
-float mean_variance(const Picture& picture, const Size& size, int x, int y)
+float mean_variance(const LitImage& picture, const Size& size, int x, int y)
 {
     float sum = 0.0f;
     for (int j = -1; j <= 1; ++j)
@@ -64,7 +64,7 @@ float likeness(const FirstHit& a, const FirstHit& b, float distance)
     return bend * std::exp(-off);
 }
 
-Lit filtered(const Picture& picture, std::span<const FirstHit> hits, const Size& size, glm::ivec2 place,
+Lit filtered(const LitImage& picture, std::span<const FirstHit> hits, const Size& size, glm::ivec2 place,
              int step)
 {
     const std::size_t middle = size.at(place.x, place.y);
@@ -92,9 +92,9 @@ Lit filtered(const Picture& picture, std::span<const FirstHit> hits, const Size&
 
 // Removes fireflies: a pixel far brighter than all its neighbours is due to a single path. It is clamped to the
 // brightest neighbour.
-void take_out_sparks(Picture& picture, const Size& size, std::span<const FirstHit> hits)
+void take_out_sparks(LitImage& picture, const Size& size, std::span<const FirstHit> hits)
 {
-    const Picture before = picture;
+    const LitImage before = picture;
     tbb::parallel_for(0, size.height, [&](int y) {
         for (int x = 0; x < size.width; ++x) {
             Lit& own = picture[size.at(x, y)];
@@ -168,7 +168,7 @@ image::RadianceImage smoothed(const image::RadianceImage& radiance, const image:
                               std::span<const FirstHit> hits)
 {
     const Size size{radiance.width, radiance.height};
-    Picture picture(hits.size());
+    LitImage picture(hits.size());
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
             const float *c = radiance.pixel(x, y), *v = variance.pixel(x, y);
@@ -181,7 +181,7 @@ image::RadianceImage smoothed(const image::RadianceImage& radiance, const image:
         }
     take_out_sparks(picture, size, hits);
     for (int round = 0; round < rounds; ++round) {
-        Picture next(picture.size());
+        LitImage next(picture.size());
         tbb::parallel_for(0, size.height, [&](int y) {
             for (int x = 0; x < size.width; ++x)
                 next[size.at(x, y)] = filtered(picture, hits, size, {x, y}, 1 << round);

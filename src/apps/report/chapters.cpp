@@ -13,9 +13,9 @@ std::vector<Chapter> chapters_of(const Page& page, Ids& ids)
     for (const Section& section : page.sections) {
         Chapter chapter{&section, std::to_string(chapters.size() + 1), ids.take(section.id), {}};
         for (const Figure& figure : section.figures) {
-            const std::string number = chapter.number + "." + std::to_string(chapter.places.size() + 1);
+            const std::string number = chapter.number + "." + std::to_string(chapter.figure_ids.size() + 1);
             const std::string id = ids.take(figure.id);
-            chapter.places.push_back({id, number, ids.take(id + "-title"), ids});
+            chapter.figure_ids.push_back({id, number, ids.take(id + "-title"), ids});
         }
         chapters.push_back(std::move(chapter));
     }

@@ -10,7 +10,7 @@
 namespace lambent::report {
 
 /// The number and the ids of a figure.
-struct Place {
+struct FigureIds {
     std::string id;       ///< of the figure
     std::string number;   ///< "4.2"; empty for the cover
     std::string title_id; ///< of its heading
@@ -20,7 +20,7 @@ struct Place {
 struct Chapter {
     const Section* section;
     std::string number, id;
-    std::vector<Place> places; ///< of the section's figures
+    std::vector<FigureIds> figure_ids; ///< of the section's figures
 };
 
 /// The page's sections in order. `ids` must outlive the result, whose figures take the ids of their parts from it.

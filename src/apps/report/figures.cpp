@@ -16,13 +16,13 @@ struct Recipe {
 using Recipes = std::vector<Recipe>;
 
 // The title of a picture outside its figure: with the figure's number.
-std::string title_of(const PagePicture& picture, const Place& place)
+std::string title_of(const PagePicture& picture, const FigureIds& own)
 {
-    const std::string figure = place.number.empty() ? "Cover" : "Figure " + place.number;
+    const std::string figure = own.number.empty() ? "Cover" : "Figure " + own.number;
     return picture.title.empty() ? figure : figure + " · " + picture.title;
 }
 
-Recipes recipes_of(const std::vector<PagePicture>& pictures, const Place& place)
+Recipes recipes_of(const std::vector<PagePicture>& pictures, const FigureIds& own)
 {
     Recipes recipes;
     for (const PagePicture& picture : pictures) {
@@ -30,7 +30,7 @@ Recipes recipes_of(const std::vector<PagePicture>& pictures, const Place& place)
             return recipe.commands == picture.commands;
         });
         if (same == recipes.end())
-            recipes.push_back({place.ids.take(place.id + "-made"), picture.title, picture.commands});
+            recipes.push_back({own.ids.take(own.id + "-made"), picture.title, picture.commands});
         else if (!picture.title.empty())
             same->titles += (same->titles.empty() ? "" : ", ") + picture.title;
     }
@@ -101,15 +101,15 @@ std::string image_html(const PagePicture& picture, bool is_cover)
 }
 
 // The picture as a link to its file; the script opens it in the viewer instead.
-std::string view_html(const PagePicture& picture, const Place& place, const Recipes& recipes)
+std::string view_html(const PagePicture& picture, const FigureIds& own, const Recipes& recipes)
 {
     std::string made;
     for (const Recipe& recipe : recipes)
         if (recipe.commands == picture.commands && !picture.commands.empty())
             made = attribute("data-made", recipe.id);
     return "<a class=\"view\"" + attribute("href", address(picture.file)) +
-           attribute("data-title", title_of(picture, place)) + made + ">" +
-           image_html(picture, place.number.empty()) + "</a>\n";
+           attribute("data-title", title_of(picture, own)) + made + ">" +
+           image_html(picture, own.number.empty()) + "</a>\n";
 }
 
 // Chooses the number of columns that leaves the last row full or nearly full.
@@ -122,12 +122,12 @@ int columns_for(std::size_t pictures)
     return pictures % 4 == 0 || pictures % 4 > pictures % 3 ? 4 : 3;
 }
 
-std::string list_html(const std::vector<PagePicture>& pictures, const Place& place, const Recipes& recipes)
+std::string list_html(const std::vector<PagePicture>& pictures, const FigureIds& own, const Recipes& recipes)
 {
     std::string html =
         "<ul class=\"pictures\" role=\"list\"" + frame_style(pictures, columns_for(pictures.size())) + ">\n";
     for (const PagePicture& picture : pictures) {
-        html += "<li class=\"picture\">" + view_html(picture, place, recipes) + "<div class=\"about\">";
+        html += "<li class=\"picture\">" + view_html(picture, own, recipes) + "<div class=\"about\">";
         if (!picture.title.empty())
             html += element("p class=\"title\"", picture.title);
         html += numbers_html(picture.numbers) + "</div></li>\n";
@@ -140,17 +140,17 @@ struct FigureHtml {
     std::string shown, folded;
 };
 
-FigureHtml html_of(const Gallery& gallery, const Place& place)
+FigureHtml html_of(const Gallery& gallery, const FigureIds& own)
 {
-    const Recipes recipes = recipes_of(gallery.pictures, place);
-    return {list_html(gallery.pictures, place, recipes), made_html(recipes)};
+    const Recipes recipes = recipes_of(gallery.pictures, own);
+    return {list_html(gallery.pictures, own, recipes), made_html(recipes)};
 }
 
-FigureHtml html_of(const Comparison& comparison, const Place& place)
+FigureHtml html_of(const Comparison& comparison, const FigureIds& own)
 {
-    const Recipes recipes = recipes_of(comparison.pictures, place);
+    const Recipes recipes = recipes_of(comparison.pictures, own);
     return {"<div class=\"comparison\"" + frame_style(comparison.pictures, 1) + ">\n" +
-                list_html(comparison.pictures, place, recipes) + "</div>\n",
+                list_html(comparison.pictures, own, recipes) + "</div>\n",
             made_html(recipes)};
 }
 
@@ -166,41 +166,41 @@ std::vector<PagePicture> titled(const Matrix& matrix)
     return pictures;
 }
 
-std::string matrix_row(const Matrix& matrix, std::size_t row, const Place& place, const Recipes& recipes)
+std::string matrix_row(const Matrix& matrix, std::size_t row, const FigureIds& own, const Recipes& recipes)
 {
     const std::size_t columns = matrix.columns.size();
     std::string html = "<tr><th scope=\"row\"><span>" + escape(matrix.rows[row]) + "</span></th>\n";
     for (std::size_t i = row * columns; i < std::min((row + 1) * columns, matrix.pictures.size()); ++i)
-        html += "<td class=\"picture\">" + view_html(matrix.pictures[i], place, recipes) +
+        html += "<td class=\"picture\">" + view_html(matrix.pictures[i], own, recipes) +
                 numbers_html(matrix.pictures[i].numbers) + "</td>\n";
     return html + "</tr>\n";
 }
 
-FigureHtml html_of(const Matrix& untitled, const Place& place)
+FigureHtml html_of(const Matrix& untitled, const FigureIds& own)
 {
     const Matrix matrix{untitled.rows, untitled.columns, titled(untitled)};
-    const Recipes recipes = recipes_of(matrix.pictures, place);
+    const Recipes recipes = recipes_of(matrix.pictures, own);
     const int columns = static_cast<int>(matrix.columns.size());
     std::string html = "<div class=\"scroll\"><table class=\"matrix\"" +
-                       frame_style(matrix.pictures, columns) + attribute("aria-labelledby", place.title_id) +
+                       frame_style(matrix.pictures, columns) + attribute("aria-labelledby", own.title_id) +
                        ">\n<thead><tr><td></td>";
     for (const std::string& column : matrix.columns)
         html += element("th scope=\"col\"", column);
     html += "</tr></thead>\n<tbody>\n";
     for (std::size_t row = 0; row < matrix.rows.size(); ++row)
-        html += matrix_row(matrix, row, place, recipes);
+        html += matrix_row(matrix, row, own, recipes);
     return {html + "</tbody></table></div>\n", made_html(recipes)};
 }
 
-FigureHtml html_of(const Table& table, const Place& place)
+FigureHtml html_of(const Table& table, const FigureIds& own)
 {
-    return {table_html(table, place.title_id), ""};
+    return {table_html(table, own.title_id), ""};
 }
 
-FigureHtml html_of(const Plot& plot, const Place& place)
+FigureHtml html_of(const Plot& plot, const FigureIds& own)
 {
     return {plot_html(plot), "<details class=\"plotted\"><summary>The numbers of this plot</summary>\n" +
-                                 table_html(plotted_numbers(plot), place.title_id) + "</details>\n"};
+                                 table_html(plotted_numbers(plot), own.title_id) + "</details>\n"};
 }
 
 bool is_number_like(const std::string& cell)
@@ -252,13 +252,13 @@ std::string table_html(const Table& table, const std::string& label)
     return html + "</tbody></table></div>\n";
 }
 
-std::string figure_html(const Figure& figure, const Place& place)
+std::string figure_html(const Figure& figure, const FigureIds& own)
 {
-    std::string html = "<figure" + attribute("id", place.id) + attribute("aria-labelledby", place.title_id) +
-                       ">\n<h3" + attribute("id", place.title_id) + "><span class=\"figure-number\">Figure " +
-                       escape(place.number) + "</span> " + escape(figure.title) + "</h3>\n";
+    std::string html = "<figure" + attribute("id", own.id) + attribute("aria-labelledby", own.title_id) +
+                       ">\n<h3" + attribute("id", own.title_id) + "><span class=\"figure-number\">Figure " +
+                       escape(own.number) + "</span> " + escape(figure.title) + "</h3>\n";
     const FigureHtml html_parts =
-        std::visit([&](const auto& kind) { return html_of(kind, place); }, figure.content);
+        std::visit([&](const auto& kind) { return html_of(kind, own); }, figure.content);
     html += html_parts.shown;
     std::string caption = html_parts.folded;
     if (!figure.caption.empty())
@@ -270,9 +270,9 @@ std::string figure_html(const Figure& figure, const Place& place)
 
 std::string cover_html(const PagePicture& cover, Ids& ids)
 {
-    const Place place{"cover", "", "", ids};
-    const Recipes recipes = recipes_of({cover}, place);
-    std::string html = "<figure class=\"cover\">\n" + view_html(cover, place, recipes) + "<figcaption>";
+    const FigureIds own{"cover", "", "", ids};
+    const Recipes recipes = recipes_of({cover}, own);
+    std::string html = "<figure class=\"cover\">\n" + view_html(cover, own, recipes) + "<figcaption>";
     if (!cover.title.empty())
         html += element("p class=\"title\"", cover.title) + "\n";
     return html + numbers_html(cover.numbers) + made_html(recipes) + "</figcaption></figure>\n";

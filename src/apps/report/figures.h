@@ -5,7 +5,7 @@
 
 namespace lambent::report {
 
-std::string figure_html(const Figure& figure, const Place& place);
+std::string figure_html(const Figure& figure, const FigureIds& own);
 
 /// The picture at the top of the page, with its title, numbers and commands.
 std::string cover_html(const PagePicture& cover, Ids& ids);

@@ -29,12 +29,12 @@ std::string contents_html(const std::vector<Chapter>& chapters, bool has_facts)
     std::string html = "<ol role=\"list\">\n";
     for (const Chapter& chapter : chapters) {
         html += "<li>" + link(chapter.id, chapter.number, chapter.section->title);
-        if (!chapter.places.empty()) {
+        if (!chapter.figure_ids.empty()) {
             html += "\n<ol role=\"list\">";
-            for (std::size_t i = 0; i < chapter.places.size(); ++i)
+            for (std::size_t i = 0; i < chapter.figure_ids.size(); ++i)
                 html +=
                     "<li>" +
-                    link(chapter.places[i].id, chapter.places[i].number, chapter.section->figures[i].title) +
+                    link(chapter.figure_ids[i].id, chapter.figure_ids[i].number, chapter.section->figures[i].title) +
                     "</li>\n";
             html += "</ol>";
         }
@@ -61,8 +61,8 @@ std::string chapter_html(const Chapter& chapter)
                        chapter.number + "</span> " + escape(chapter.section->title) + "</h2>\n";
     for (const std::string& paragraph : chapter.section->text)
         html += prose("p", paragraph) + "\n";
-    for (std::size_t i = 0; i < chapter.places.size(); ++i)
-        html += figure_html(chapter.section->figures[i], chapter.places[i]);
+    for (std::size_t i = 0; i < chapter.figure_ids.size(); ++i)
+        html += figure_html(chapter.section->figures[i], chapter.figure_ids[i]);
     return html + "</section>\n";
 }
 

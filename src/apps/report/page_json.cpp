@@ -70,10 +70,10 @@ Json json_of(const Plot& plot)
             {"curves", curves}};
 }
 
-Json json_of(const Figure& figure, const Place& place)
+Json json_of(const Figure& figure, const FigureIds& own)
 {
     Json json = {
-        {"id", place.id}, {"number", place.number}, {"title", figure.title}, {"caption", figure.caption}};
+        {"id", own.id}, {"number", own.number}, {"title", figure.title}, {"caption", figure.caption}};
     json.update(std::visit([](const auto& content) { return json_of(content); }, figure.content));
     return json;
 }
@@ -81,8 +81,8 @@ Json json_of(const Figure& figure, const Place& place)
 Json json_of(const Chapter& chapter)
 {
     Json figures = Json::array();
-    for (std::size_t i = 0; i < chapter.places.size(); ++i)
-        figures.push_back(json_of(chapter.section->figures[i], chapter.places[i]));
+    for (std::size_t i = 0; i < chapter.figure_ids.size(); ++i)
+        figures.push_back(json_of(chapter.section->figures[i], chapter.figure_ids[i]));
     return {{"id", chapter.id},
             {"number", chapter.number},
             {"title", chapter.section->title},

@@ -3,7 +3,7 @@
 #include "scene/gltf_document/gltf_message.h"
 #include "scene/gltf_document/gltf_model.h"
 #include "scene/gltf_document/gltf_number.h"
-#include "scene/gltf_document/gltf_place.h"
+#include "scene/gltf_document/document_position.h"
 
 #include <nlohmann/json.hpp>
 
@@ -28,7 +28,7 @@ class Reader {
 public:
     explicit Reader(const ReadNotes& notes) : notes_(notes), bytes_left_(notes.most_bytes) {}
 
-    Fault read_object(json& source, const Shape& shape, const Place& place, void* object);
+    Fault read_object(json& source, const Shape& shape, const DocumentPosition& position, void* object);
     std::string first_loss() { return std::move(first_loss_); }
 
 private:
@@ -51,16 +51,16 @@ private:
         }
     };
 
-    void lose(const Fault& fault, const char* cost, const Place& place);
-    Fault read_value(const Value& value, const Place& place);
-    Fault read_one(const Value& value, const Place& place);
-    Fault read_list(const Value& value, const Place& place);
-    Fault read_words(const Value& value, const Place& place);
-    Fault read_nested(const Value& value, const Place& place);
-    Fault read_objects(const Value& value, const Place& place);
-    void read_indices(const Value& value, const Place& place);
-    void read_index_map(const json& source, const Place& place, gltf::AttributeMap* map);
-    void read_index_maps(const Value& value, const Place& place);
+    void lose(const Fault& fault, const char* cost, const DocumentPosition& position);
+    Fault read_value(const Value& value, const DocumentPosition& position);
+    Fault read_one(const Value& value, const DocumentPosition& position);
+    Fault read_list(const Value& value, const DocumentPosition& position);
+    Fault read_words(const Value& value, const DocumentPosition& position);
+    Fault read_nested(const Value& value, const DocumentPosition& position);
+    Fault read_objects(const Value& value, const DocumentPosition& position);
+    void read_indices(const Value& value, const DocumentPosition& position);
+    void read_index_map(const json& source, const DocumentPosition& position, gltf::AttributeMap* map);
+    void read_index_maps(const Value& value, const DocumentPosition& position);
     void spend(std::size_t elements, std::size_t bytes);
 
     ReadNotes notes_;
@@ -69,24 +69,24 @@ private:
     std::size_t broken_ = 0;
 };
 
-void Reader::lose(const Fault& fault, const char* cost, const Place& place)
+void Reader::lose(const Fault& fault, const char* cost, const DocumentPosition& position)
 {
     const std::string line = text(notes_.file, ": ", fault);
     notes_.losses.add(line, cost);
-    if (first_loss_.empty() && holds_geometry(place))
+    if (first_loss_.empty() && holds_geometry(position))
         first_loss_ = line;
 }
 
-Fault Reader::read_object(json& source, const Shape& shape, const Place& place, void* object)
+Fault Reader::read_object(json& source, const Shape& shape, const DocumentPosition& position, void* object)
 {
     if (!source.is_object())
-        return fault_at(place, "not an object");
+        return fault_at(position, "not an object");
     std::vector<Fault> ignored;
     for (auto member = source.begin(); member != source.end(); ++member) {
         const Property* property = find_property(shape, member.key());
         if (property == nullptr)
             continue;
-        Fault fault = read_value({member.value(), *property, object}, place);
+        Fault fault = read_value({member.value(), *property, object}, position);
         if (fault.empty())
             continue;
         if (property->need == Need::required)
@@ -95,18 +95,18 @@ Fault Reader::read_object(json& source, const Shape& shape, const Place& place, 
     }
     for (const Property& property : shape.properties)
         if (property.need == Need::required && !source.contains(property.name))
-            return fault_at(place, text(property.name, " is missing"));
+            return fault_at(position, text(property.name, " is missing"));
     if (const std::string reason = shape.misfit ? shape.misfit(object) : ""; !reason.empty())
-        return ignored.empty() ? fault_at(place, reason) : ignored.front();
+        return ignored.empty() ? fault_at(position, reason) : ignored.front();
     for (const Fault& fault : ignored)
-        lose(fault, "ignored", place);
+        lose(fault, "ignored", position);
     return {};
 }
 
-Fault Reader::read_nested(const Value& value, const Place& place)
+Fault Reader::read_nested(const Value& value, const DocumentPosition& position)
 {
     const Property& property = value.property;
-    const Place inner{&place, property.name, -1};
+    const DocumentPosition inner{&position, property.name, -1};
     Fault fault = read_object(value.source, *property.shape, inner, value.allocate<void>());
     if (!fault.empty() && property.drop)
         property.drop(value.object, property);
@@ -121,7 +121,7 @@ void Reader::spend(std::size_t elements, std::size_t bytes)
     bytes_left_ -= elements * bytes;
 }
 
-Fault Reader::read_objects(const Value& value, const Place& place)
+Fault Reader::read_objects(const Value& value, const DocumentPosition& position)
 {
     const Property& property = value.property;
     const std::size_t count = value.source.size();
@@ -130,7 +130,7 @@ Fault Reader::read_objects(const Value& value, const Place& place)
     for (std::size_t i = 0; i < count; ++i) {
         json& source = value.source[i];
         void* element = elements + i * property.element_bytes;
-        const Place inner{&place, property.element, static_cast<std::ptrdiff_t>(i)};
+        const DocumentPosition inner{&position, property.element, static_cast<std::ptrdiff_t>(i)};
         if (const Fault fault = read_object(source, *property.shape, inner, element); !fault.empty()) {
             lose(fault, "left out", inner);
             if (++broken_ > most_broken)
@@ -142,7 +142,7 @@ Fault Reader::read_objects(const Value& value, const Place& place)
     return {};
 }
 
-void Reader::read_indices(const Value& value, const Place& place)
+void Reader::read_indices(const Value& value, const DocumentPosition& position)
 {
     bool told = false;
     int* index = value.allocate<int>(value.source.size());
@@ -150,12 +150,12 @@ void Reader::read_indices(const Value& value, const Place& place)
         std::uint64_t whole = gltf::unreadable_index;
         const std::string reason = read_whole(source, most_index, value.property.name, whole);
         if (!reason.empty() && !std::exchange(told, true))
-            lose(fault_at(place, reason), "ignored", place);
+            lose(fault_at(position, reason), "ignored", position);
         *index++ = static_cast<int>(whole);
     }
 }
 
-void Reader::read_index_map(const json& source, const Place& place, gltf::AttributeMap* map)
+void Reader::read_index_map(const json& source, const DocumentPosition& position, gltf::AttributeMap* map)
 {
     bool told = false;
     for (auto member = source.begin(); member != source.end(); ++member) {
@@ -164,52 +164,52 @@ void Reader::read_index_map(const json& source, const Place& place, gltf::Attrib
         if (reason.empty())
             map->emplace(member.key(), static_cast<int>(index));
         else if (!std::exchange(told, true))
-            lose(fault_at(place, reason), "ignored", place);
+            lose(fault_at(position, reason), "ignored", position);
     }
 }
 
-void Reader::read_index_maps(const Value& value, const Place& place)
+void Reader::read_index_maps(const Value& value, const DocumentPosition& position)
 {
     auto* map = value.allocate<gltf::AttributeMap>(value.source.size());
     for (const json& source : value.source) {
         if (source.is_object())
-            read_index_map(source, place, map);
+            read_index_map(source, position, map);
         ++map;
     }
 }
 
-Fault Reader::read_words(const Value& value, const Place& place)
+Fault Reader::read_words(const Value& value, const DocumentPosition& position)
 {
     for (const json& word : value.source)
         if (!word.is_string())
-            return fault_at(place, text(value.property.name, " has an entry that is not a string"));
+            return fault_at(position, text(value.property.name, " has an entry that is not a string"));
     auto* words = value.allocate<std::string>(value.source.size());
     for (json& word : value.source)
         *words++ = std::move(word.get_ref<std::string&>());
     return {};
 }
 
-Fault Reader::read_list(const Value& value, const Place& place)
+Fault Reader::read_list(const Value& value, const DocumentPosition& position)
 {
     const Property& property = value.property;
     if (!value.source.is_array())
-        return fault_at(place, text(property.name, " is not an array"));
+        return fault_at(position, text(property.name, " is not an array"));
     switch (property.kind) {
     case Kind::objects:
-        return read_objects(value, place);
+        return read_objects(value, position);
     case Kind::words:
-        return read_words(value, place);
+        return read_words(value, position);
     case Kind::indices:
-        read_indices(value, place);
+        read_indices(value, position);
         return {};
     case Kind::index_maps:
-        read_index_maps(value, place);
+        read_index_maps(value, position);
         return {};
     default:
         break;
     }
     if (const std::string reason = check_numbers(value.source, property); !reason.empty())
-        return fault_at(place, reason);
+        return fault_at(position, reason);
     auto* numbers = value.allocate<double>(value.source.size());
     for (const json& number : value.source)
         *numbers++ = number.get<double>();
@@ -217,7 +217,7 @@ Fault Reader::read_list(const Value& value, const Place& place)
 }
 
 // Reads a value that is neither an object nor a list.
-Fault Reader::read_one(const Value& value, const Place& place)
+Fault Reader::read_one(const Value& value, const DocumentPosition& position)
 {
     const auto& [source, property, object] = value;
     std::string reason;
@@ -247,10 +247,10 @@ Fault Reader::read_one(const Value& value, const Place& place)
         if (reason = read_whole(source, most_size, property.name, whole); reason.empty())
             value.keep(whole);
     }
-    return reason.empty() ? Fault() : fault_at(place, reason);
+    return reason.empty() ? Fault() : fault_at(position, reason);
 }
 
-Fault Reader::read_value(const Value& value, const Place& place)
+Fault Reader::read_value(const Value& value, const DocumentPosition& position)
 {
     switch (value.property.kind) {
     case Kind::flag:
@@ -258,16 +258,16 @@ Fault Reader::read_value(const Value& value, const Place& place)
     case Kind::number:
     case Kind::index:
     case Kind::size:
-        return read_one(value, place);
+        return read_one(value, position);
     case Kind::object:
-        return read_nested(value, place);
+        return read_nested(value, position);
     case Kind::index_map:
         if (!value.source.is_object())
-            return fault_at(place, text(value.property.name, " is not an object"));
-        read_index_map(value.source, place, value.allocate<gltf::AttributeMap>());
+            return fault_at(position, text(value.property.name, " is not an object"));
+        read_index_map(value.source, position, value.allocate<gltf::AttributeMap>());
         return {};
     default:
-        return read_list(value, place);
+        return read_list(value, position);
     }
 }
 

@@ -1,4 +1,4 @@
-#include "scene/gltf_document/gltf_place.h"
+#include "scene/gltf_document/document_position.h"
 
 #include "base/text.h"
 
@@ -8,30 +8,30 @@
 namespace lambent::scene {
 namespace {
 
-std::string describe(const Place& place)
+std::string describe(const DocumentPosition& position)
 {
-    std::string words = place.outer ? describe(*place.outer) : std::string();
-    if (place.name.empty())
+    std::string words = position.outer ? describe(*position.outer) : std::string();
+    if (position.name.empty())
         return words;
     if (!words.empty())
         words += ", ";
-    words += place.name;
-    return place.index < 0 ? words : text(words, " ", place.index);
+    words += position.name;
+    return position.index < 0 ? words : text(words, " ", position.index);
 }
 
 } // namespace
 
-std::string fault_at(const Place& place, const std::string& reason)
+std::string fault_at(const DocumentPosition& position, const std::string& reason)
 {
-    const std::string words = describe(place);
+    const std::string words = describe(position);
     return text(words, words.empty() ? "" : ": ", reason);
 }
 
-bool holds_geometry(const Place& place)
+bool holds_geometry(const DocumentPosition& position)
 {
     constexpr std::array<std::string_view, 7> lists = {"",         "scene",      "node",  "mesh",
                                                        "accessor", "bufferView", "buffer"};
-    const Place* outermost = &place;
+    const DocumentPosition* outermost = &position;
     while (outermost->outer != nullptr && !outermost->outer->name.empty())
         outermost = outermost->outer;
     return std::find(lists.begin(), lists.end(), outermost->name) != lists.end();
