@@ -31,7 +31,7 @@ public:
         parts_.push_back(std::as_bytes(std::span(records)));
         size_ += parts_.back().size() / sizeof(uint);
         if (size_ > std::numeric_limits<std::int32_t>::max())
-            throw Error(Failure::no_device, "the scene's triangles are too many for the device");
+            throw Error(Failure::no_device, "the scene's geometry exceeds the 8 GiB that a device can draw");
         return static_cast<uint>(place);
     }
     std::span<const Bytes> parts() const { return parts_; }
