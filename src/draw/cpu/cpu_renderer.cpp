@@ -50,9 +50,9 @@ private:
 
 // Calls GoOn after every tile, one thread at a time. Tiles that finish after it returned false are reported too, so
 // that the caller knows the final fraction.
-class Questions {
+class ProgressReporter {
 public:
-    Questions(const Drawing::GoOn& go_on, int done, int all) : go_on_(go_on), done_(done), all_(all) {}
+    ProgressReporter(const Drawing::GoOn& go_on, int done, int all) : go_on_(go_on), done_(done), all_(all) {}
 
     void step()
     {
@@ -131,14 +131,14 @@ public:
     bool advance(const GoOn& go_on) override
     {
         const PictureContext picture{renderer_.prepared(settings_.texel_transfer), settings_, prepared_};
-        Questions questions(go_on, tiles_.done_count(), tiles_.count());
+        ProgressReporter reporter(go_on, tiles_.done_count(), tiles_.count());
         tbb::enumerable_thread_specific<TileDrawer> drawers([&] { return TileDrawer(picture); });
         tbb::parallel_for(0, tiles_.count(), [&](int tile) {
-            if (questions.stopped() || tiles_.is_done(tile))
+            if (reporter.stopped() || tiles_.is_done(tile))
                 return;
             drawers.local().draw(tiles_.area(tile), frame_);
             tiles_.set_done(tile);
-            questions.step();
+            reporter.step();
         });
         return tiles_.done_count() == tiles_.count();
     }

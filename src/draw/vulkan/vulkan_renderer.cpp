@@ -12,8 +12,9 @@ namespace lambent::draw {
 namespace {
 
 // A picture drawn in tiles from the top left, held in host memory.
-struct Unfinished {
-    Unfinished(const scene::Scene& scene, const environment::Environment* environment, const Settings& given)
+struct PartialPicture {
+    PartialPicture(const scene::Scene& scene, const environment::Environment* environment,
+                   const Settings& given)
         : settings(given), prepared(scene.lights, environment, settings), frame(blank_frame(settings, scene))
     {
     }
@@ -64,7 +65,7 @@ public:
                                    const Settings& settings) override;
 
     // The picture's data on the device are freed at the end of each call, because the picture may never be continued.
-    bool advance(Unfinished& picture, const Drawing::GoOn& go_on)
+    bool advance(PartialPicture& picture, const Drawing::GoOn& go_on)
     {
         const Settings& settings = picture.settings;
         prepare_scene(settings.texel_transfer);
@@ -175,7 +176,7 @@ public:
 
 private:
     OnDevice& renderer_;
-    Unfinished picture_;
+    PartialPicture picture_;
 };
 
 std::unique_ptr<Drawing> OnDevice::start(const environment::Environment* environment,
