@@ -1,4 +1,4 @@
-// What the G-buffer holds: the columns of shading/columns.glsl.
+// The columns of the G-buffer (shading/columns.glsl) as C++ constants.
 #pragma once
 
 namespace lambent::draw {

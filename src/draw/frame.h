@@ -1,4 +1,4 @@
-// A drawn picture, as light.
+// A drawn picture as linear radiance, with its layers.
 #pragma once
 
 #include "image/image.h"
@@ -9,27 +9,28 @@
 
 namespace lambent::draw {
 
-/// One layer of the G-buffer or one pass's light, for looking at.
+/// A column of the G-buffer or the light of one pass as an image, for inspection.
 struct Layer {
     enum class Kind {
-        light,      ///< radiance: RGB
-        irradiance, ///< lux for radiance in nits: RGB
-        color,      ///< reflectance in [0, 1]: RGB
-        normal,     ///< unit vector in the world: RGB = XYZ
-        scalar,     ///< one value in [0, 1], three times
-        exponent,   ///< Phong exponent, three times
-        depth,      ///< metres from the camera, three times; 0 where nothing is
+        light,      ///< radiance, RGB
+        irradiance, ///< RGB, in lux if radiance is in nits
+        color,      ///< reflectance in [0, 1], RGB
+        normal,     ///< unit vector in world space, RGB = XYZ
+        scalar,     ///< one value in [0, 1], the same in R, G and B
+        exponent,   ///< Phong exponent, the same in R, G and B
+        depth,      ///< metres from the camera, the same in R, G and B; 0 where there is no surface
     };
     std::string name;
     Kind kind = Kind::light;
     image::RadianceImage image; ///< RGBA; alpha is coverage
 };
 
+/// A drawn picture.
 struct Frame {
     image::RadianceImage radiance; ///< RGBA, before exposure and tone curve; alpha is coverage by surfaces
-    std::vector<Layer> layers;     ///< when asked for; the light layers add up to `radiance`
+    std::vector<Layer> layers;     ///< if Settings::layers is set; those named light_* add up to `radiance`
 
-    /// Passes of a device and the milliseconds that each took there; none from the CPU renderer.
+    /// Name and duration, in milliseconds, of each pass on a device; empty for the CPU renderer.
     std::vector<std::pair<std::string, double>> passes;
 };
 

@@ -24,7 +24,7 @@ std::vector<LayerSource> layer_sources(Model model)
     };
     if (!phong)
         sources.insert(sources.begin() + 3,
-                       {{"roughness", Kind::scalar, column_alpha, Reading::root}, // of alpha
+                       {{"roughness", Kind::scalar, column_alpha, Reading::root}, // sqrt(alpha)
                         {"metalness", Kind::scalar, column_metallic, Reading::one}});
     return sources;
 }

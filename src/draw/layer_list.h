@@ -1,4 +1,4 @@
-// The layers a picture can be taken apart into, and which columns of the G-buffer hold them.
+// The layers that can be returned with a picture, and the columns of the G-buffer that hold them.
 #pragma once
 
 #include "draw/columns.h"
@@ -9,20 +9,20 @@
 
 namespace lambent::draw {
 
-/// What a layer shows of its columns: one, three times; three; the square root of one, three times.
+/// How a layer's R, G and B are read: all from one column; from three columns; all as the square root of one column.
 enum class Reading { one, three, root };
 
 struct LayerSource {
     const char* name;
     Layer::Kind kind;
-    int first; ///< the column, or the first of three
+    int first; ///< number of the column, or of the first of three
     Reading reading;
 };
 
-/// Every layer but the background, in the order in which a picture is made.
+/// All layers except that of the background, in the order of Frame::layers.
 std::vector<LayerSource> layer_sources(Model model);
 
-/// Name of the light layer of what lies behind all surfaces.
+/// Name of the layer with the light of the background, which comes last.
 constexpr const char* background_layer = "light_background";
 
 } // namespace lambent::draw

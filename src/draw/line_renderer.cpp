@@ -26,7 +26,7 @@ public:
 
     Device device() const override { return renderer_->device(); }
 
-    // From now on lines are as this picture wants them.
+    // Makes the triangles of points and lines face this picture's camera.
     void face(const Settings& settings)
     {
         if (!widened_)
@@ -38,10 +38,10 @@ public:
 private:
     std::unique_ptr<Renderer> renderer_;
     const scene::Scene* scene_;
-    std::optional<view::WidenedScene> widened_; ///< none: not yet in this pose
+    std::optional<view::WidenedScene> widened_; ///< empty until made for the current pose
 };
 
-// Another picture may have been drawn before this one goes on.
+// Faces its own camera again in each step, because other pictures may have been drawn in between.
 class LineDrawing : public Drawing {
 public:
     LineDrawing(LineRenderer& renderer, std::unique_ptr<Drawing> drawing, const Settings& settings)

@@ -1,4 +1,4 @@
-// Points and lines for renderers that know triangles.
+// Points and lines for renderers that draw only triangles.
 #pragma once
 
 #include "draw/renderer.h"
@@ -7,8 +7,8 @@
 
 namespace lambent::draw {
 
-/// `renderer` itself, which was made for the scene, or, where the scene has points and lines, one around it that turns them
-/// into triangles for each picture. The scene must outlive it.
+/// Returns `renderer`, which was made for `scene`, if the scene has no points and lines; else a renderer around it that
+/// replaces them with triangles for each picture. The scene must outlive the result.
 std::unique_ptr<Renderer> with_lines(std::unique_ptr<Renderer> renderer, const scene::Scene& scene);
 
 } // namespace lambent::draw

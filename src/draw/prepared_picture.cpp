@@ -11,7 +11,7 @@
 namespace lambent::draw {
 namespace {
 
-// N places in the unit square with different rows and columns each. [Hammersley 1960]
+// N positions in the unit square, no two in the same row or column. [Hammersley 1960]
 std::vector<glm::vec2> subpixel_places(int count)
 {
     std::vector<glm::vec2> places;
@@ -22,8 +22,8 @@ std::vector<glm::vec2> subpixel_places(int count)
     return places;
 }
 
-// Surfaces that bend by 30 degrees between pixels are edges; looks share a shading point within 15 degrees. Who asks for
-// many samples wants exact pictures: a mirrored picture that bends inside a pixel is then lit place by place.
+// Normals that differ by 30 degrees between pixels are edges; looks within 15 degrees share a shading point. With
+// many samples accuracy counts: every look is shaded, because reflections in curved surfaces vary inside a pixel.
 Edges edges_of(const Settings& settings)
 {
     constexpr int many_samples = 256, places_of_many = 16;
@@ -37,13 +37,13 @@ double level_of_background(const environment::Environment& environment, const Se
                            const RayMap& rays)
 {
     const double level_one = environment::level_one_deviation(environment.chain);
-    // A pixel of a wide view of a large panorama covers many texels.
+    // In a wide view of a large panorama a pixel covers many texels, which a blur level averages.
     const double pixel = glm::length(rays.direction_dx);
     const double texel = 6.283185307179586 / environment.panorama.width;
     const bool blurred = settings.background.kind == Background::Kind::blurred;
     if (!blurred && (settings.pipeline || pixel < 2.0 * texel))
         return -1.0;
-    // A Gaussian of the lobe's width: for a view along the normal GGX's mirrored lobe has about 2 alpha.
+    // A Gaussian of the lobe's width: seen along the normal, the reflected lobe of GGX is about 2 alpha wide.
     const double deviation = blurred ? std::pow(settings.background.roughness, 2) : 0.0;
     return in_double::level_of_variance((deviation * deviation + pixel * pixel / 12.0) /
                                         (level_one * level_one));

@@ -1,4 +1,4 @@
-// What every backend works out of a picture's settings before it draws.
+// Values that every backend derives from a picture's settings before drawing.
 #pragma once
 
 #include "draw/frame.h"
@@ -11,17 +11,17 @@
 
 namespace lambent::draw {
 
-/// Where a pixel is looked at several times, and which of these looks are lit as one.
+/// Supersampling of edges: the visibility samples (looks) of a pixel, and which of them share a shading point.
 struct Edges {
-    std::vector<glm::vec2> places; ///< inside a pixel, [0, 1)
-    float bend_cosine = 0.0f;      ///< a surface that bends further from pixel to pixel is an edge
-    float shared_cosine = 0.0f; ///< looks share one shading point while the surface bends less between them
-    float extent = 1.0f;        ///< of a look
+    std::vector<glm::vec2> places; ///< positions of the looks in a pixel, [0, 1)
+    float bend_cosine = 0.0f;      ///< normals of neighbouring pixels with a smaller cosine are an edge
+    float shared_cosine = 0.0f;    ///< looks with a larger cosine between normals share a shading point
+    float extent = 1.0f;           ///< side of the square that a look covers, pixels
 };
 
-/// Refers to itself: stays where it was made.
+/// Has members that point to other members, so it cannot be copied or moved.
 struct PreparedPicture {
-    /// The environment (may be null) and the settings must outlive it.
+    /// `environment` (may be null) and `given` must outlive this.
     PreparedPicture(std::span<const scene::Light> scene_lights, const environment::Environment* environment,
                     const Settings& given);
     PreparedPicture(const PreparedPicture&) = delete;
@@ -31,21 +31,22 @@ struct PreparedPicture {
     RayMap rays;
     Edges edges;
     SampleTables tables;
-    std::vector<environment::Panorama> mips; ///< the report's, where its levels are asked for
+    std::vector<environment::Panorama> mips; ///< for Model::phong with MipLevel::report; else empty
     LightContext light;
     std::vector<LightSource> lights;
-    float background_level = -1.0f; ///< of blur; below 0: the panorama itself
+    float background_level = -1.0f; ///< of blur; negative: the panorama itself
 };
 
-/// The scene's lights and `more`, as the passes want them.
+/// The lights of both lists in the form that the passes read.
 std::vector<LightSource> light_sources(std::span<const scene::Light> lights,
                                        std::span<const scene::Light> more);
 
-/// A picture of the settings' size with nothing in it, with room for what materials without lighting show if there are some,
-/// and its layers where they are asked for.
+/// An empty frame of the settings' size: with an image for unlit surfaces if the scene has unlit materials, and with
+/// layers if the settings ask for them.
 Frame blank_frame(const Settings& settings, const scene::Scene& scene);
 
-/// What is left of a ray behind transparent surfaces is not worth following below this, nor further than this many.
+/// A ray ends behind transparent surfaces when its remaining weight is below `least_weight`, or after `most_waves`
+/// layers of surfaces.
 constexpr float least_weight = 1.0f / 1024.0f;
 constexpr int most_waves = 256;
 

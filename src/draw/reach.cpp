@@ -9,10 +9,10 @@ namespace lambent::draw {
 
 bool within_reach(const RayMap& map)
 {
-    // Not a number is not within.
-    constexpr float widest = 65536.0f;
+    constexpr float widest = 65536.0f; // the largest picture, pixels
     const auto all_within = [](const glm::vec3& start, const glm::vec3& dx, const glm::vec3& dy) {
         const glm::vec3 most = glm::abs(start) + widest * (glm::abs(dx) + glm::abs(dy));
+        // False for NaN.
         return glm::all(glm::lessThanEqual(most, glm::vec3(trace::Visibility::furthest)));
     };
     return all_within(map.origin, map.origin_dx, map.origin_dy) &&

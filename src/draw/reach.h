@@ -1,14 +1,14 @@
-// How far rays of sight go, and where they go on.
+// The limits of camera rays, and where they continue behind a surface.
 #pragma once
 
 #include "draw/settings.h"
 
 namespace lambent::draw {
 
-/// Whether the rays of pictures of any size that is drawn stay within Visibility::furthest; elsewhere nothing is seen.
+/// Whether the camera rays of a picture of any allowed size stay within Visibility::furthest. If not, they hit nothing.
 bool within_reach(const RayMap& map);
 
-/// Where a ray that ended at `distance` goes on: a little further, so that it does not meet the same triangle again.
+/// Where a ray continues after a hit at `distance`: slightly further, so that it does not hit the same triangle again.
 inline float behind(float distance)
 {
     return distance * (1.0f + 1e-5f) + 1e-30f;

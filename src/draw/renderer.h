@@ -1,4 +1,4 @@
-// The one interface of all backends.
+// The interface of all backends.
 #pragma once
 
 #include "draw/frame.h"
@@ -12,44 +12,43 @@
 
 namespace lambent::draw {
 
-/// A picture that is drawn bit by bit.
+/// A picture that is drawn in steps.
 class Drawing {
 public:
     virtual ~Drawing() = default;
 
-    /// Asked with the done fraction whether to go on, from any thread, one call at a time: once for every part that is
-    /// done, also for those that were still being drawn when it said no.
+    /// Called with the fraction that is done; returns whether to go on. Called from any thread, one call at a time,
+    /// once for every finished part, including parts that were being drawn when it returned false.
     using GoOn = std::function<bool(float)>;
 
-    /// Draws on until the picture is whole, which it returns, or `go_on`, if any, says false; at least a little. The
-    /// renderer must be in the pose that it had at the start; meanwhile it may have drawn others. What `go_on` throws
-    /// is passed on; then this is of no more use.
+    /// Draws until the picture is complete or `go_on`, if set, returns false, but at least one part. Returns whether
+    /// the picture is complete. The renderer must be in the pose of the start; it may have drawn other pictures in
+    /// between. Exceptions from `go_on` are passed on; the drawing is then unusable.
     virtual bool advance(const GoOn& go_on) = 0;
 
-    /// The whole picture, once.
+    /// Moves the complete picture out; to be called once.
     virtual Frame take() = 0;
 };
 
-/// Draws one scene, prepared once, as often as wanted, and at other moments.
+/// Draws a scene, prepared once, any number of times and in other poses.
 class Renderer {
 public:
     virtual ~Renderer() = default;
 
-    /// The scene seen by the settings' camera under an environment (null: darkness), which must not change after
-    /// it was first drawn under: devices keep it. Renderer and environment must outlive the drawing.
+    /// Starts a picture of the scene under an environment (null: darkness). An environment must not change after it was
+    /// first used, because devices keep a copy. Renderer and environment must outlive the drawing.
     virtual std::unique_ptr<Drawing> start(const environment::Environment* environment,
                                            const Settings& settings) = 0;
 
-    /// The same at once. `progress`, if any, is called as Drawing::GoOn.
+    /// Draws a whole picture in one call. `progress`, if set, is called like Drawing::GoOn.
     Frame draw(const environment::Environment* environment, const Settings& settings,
                const std::function<void(float)>& progress = {});
 
-    /// From now on draws the same scene at another moment: with as many instances and materials, of which the materials are
-    /// the same; its images are not looked at, those of the first scene stay. `scene` must outlive further drawing, as the
-    /// first must. The work is done by the next draw.
+    /// Changes to the same scene at another time: with as many instances, and the same materials. Its images are not
+    /// read; those of the first scene are kept. Both scenes must outlive further drawing. The next draw does the work.
     virtual void pose(const scene::Scene& scene) = 0;
 
-    /// Name of the backend and of what it runs on, for people: {"cpu", "AVX2, 2 threads"}.
+    /// Names of the backend and of its hardware, for display: {"cpu", "AVX2, 2 threads"}.
     struct Device {
         std::string backend, description;
     };

@@ -18,17 +18,17 @@ public:
     std::unique_ptr<Drawing> start(const environment::Environment* environment,
                                    const Settings& settings) override;
 
-    // The one that draws now, and whether it is the second.
+    // The current renderer, and whether it is the fallback.
     Renderer& present() { return *renderer_; }
     bool is_rescued() const { return !make_other_; }
 
-    // Whether another draws from now on.
+    // Switches to the fallback if the error calls for it. Returns whether it did.
     bool goes_on_after(const Error& error)
     {
         if (error.failure() != Failure::no_device || is_rescued())
             return false;
         warn_(error.what());
-        renderer_.reset(); // before the other takes memory
+        renderer_.reset(); // frees its memory before the fallback is made
         renderer_ = std::exchange(make_other_, nullptr)();
         if (posed_)
             renderer_->pose(*posed_);
@@ -45,12 +45,12 @@ public:
 
 private:
     std::unique_ptr<Renderer> renderer_;
-    const scene::Scene* posed_ = nullptr;                   ///< null: as it was made
-    std::function<std::unique_ptr<Renderer>()> make_other_; ///< null: it was made
+    const scene::Scene* posed_ = nullptr;                   ///< null: as constructed
+    std::function<std::unique_ptr<Renderer>()> make_other_; ///< null after the switch
     std::function<void(const std::string&)> warn_;
 };
 
-// Begun anew by the other renderer, if that has come meanwhile.
+// A drawing that starts again with the fallback once the renderer has switched to it.
 class RescuedDrawing : public Drawing {
 public:
     RescuedDrawing(RescuedRenderer& renderer, const environment::Environment* environment,
@@ -85,7 +85,7 @@ private:
     RescuedRenderer& renderer_;
     const environment::Environment* environment_;
     const Settings settings_;
-    std::unique_ptr<Drawing> drawing_; ///< null: not begun
+    std::unique_ptr<Drawing> drawing_; ///< null until started
     bool by_rescuer_ = false;
 };
 

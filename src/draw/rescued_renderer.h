@@ -1,4 +1,4 @@
-// A renderer on a device that may fail, and another that goes on.
+// A renderer on a device that may fail, with a fallback.
 #pragma once
 
 #include "draw/renderer.h"
@@ -9,9 +9,9 @@
 
 namespace lambent::draw {
 
-/// Draws by `device` until that throws Error(no_device), as one that is lost or has no memory left does. What it said is
-/// passed to `warn`, and from then on what `make_other` makes draws, the picture that failed first, in the pose asked for
-/// last. All else that drawing throws is passed on.
+/// Draws with `device` until it throws Error(no_device), because the device is lost or out of memory. The message is
+/// passed to `warn`, and the renderer from `make_other` takes over in the last pose, beginning with the picture that
+/// failed. Other exceptions are passed on.
 std::unique_ptr<Renderer> make_rescued_renderer(std::unique_ptr<Renderer> device,
                                                 std::function<std::unique_ptr<Renderer>()> make_other,
                                                 std::function<void(const std::string&)> warn);

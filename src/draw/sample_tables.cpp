@@ -7,8 +7,8 @@
 namespace lambent::draw {
 namespace {
 
-// The real root of p^3 = p + 1: its powers spread points over a square as the golden ratio does over a line.
-// [Roberts 2018, "The unreasonable effectiveness of quasirandom sequences"]
+// The plastic number, the real root of p^3 = p + 1: its powers spread points over a square as the golden ratio does
+// over a line. [Roberts 2018, "The unreasonable effectiveness of quasirandom sequences"]
 constexpr double plastic = 1.32471795724474602596;
 
 double fraction(double x)
@@ -27,12 +27,12 @@ Lobe lobe_point(double xi1, double xi2)
 
 Lobe hammersley(int i, int count)
 {
-    // The first radical inverse is 0, a direction square to the mirrored one; its logarithm has to be finite.
+    // The first radical inverse is 0, a direction perpendicular to the lobe's axis, but its logarithm has to be finite.
     const double xi2 = std::max(radical_inverse(static_cast<unsigned>(i)), 0x1p-1000);
     return lobe_point(static_cast<double>(i) / count, xi2);
 }
 
-// The first points of a sequence have a middle of their own; moved to none, they leave a mirrored picture where it is.
+// Moves the mean of the points to (0, 0): otherwise they would shift reflections.
 void centre(std::vector<SampleTables::Pixel>& points)
 {
     double x = 0.0, y = 0.0;
@@ -61,7 +61,7 @@ SampleTables make_sample_tables(int count, LobePoints points)
     for (int i = 0; i < count; ++i) {
         const double golden = fraction(i / std::numbers::phi), middle = (i + 0.5) / count;
         const double turn = 2.0 * std::numbers::pi * golden;
-        // A little towards the middle: the outermost samples stand for the tail beyond them, but most of it is near.
+        // Slightly towards the centre: the outermost samples represent the tail beyond them, most of which is near.
         tables.cap.push_back({static_cast<float>((i + 0.4) / (count + 1.0)),
                               static_cast<float>(std::cos(turn)), static_cast<float>(std::sin(turn))});
         tables.lobe.push_back(points == LobePoints::spiral ? lobe_point(golden, middle)

@@ -1,4 +1,4 @@
-// How to draw a picture.
+// Settings of a picture to draw.
 #pragma once
 
 #include "view/picture.h"
@@ -7,35 +7,36 @@
 
 namespace lambent::draw {
 
-// The words for what is drawn are those of view/.
+// The types that describe a picture are those of view/.
 using view::Background, view::Camera, view::Model, view::Orbit, view::RayMap, view::TexelTransfer;
 using view::from_scene, view::orbit_camera, view::ray_map;
 
-/// How the phong model samples the environment: points in a spiral, each read at a blur that matches its share of the
-/// lobe; or the report's Hammersley points and formula of the level in the panorama's own mip chain, which shows blocks.
+/// How the phong model samples the environment. matched: points in a spiral, each read at a blur that matches its
+/// share of the lobe. report: the report's Hammersley points and formula of the mip level, in the panorama's own mip
+/// chain, with block artefacts.
 enum class MipLevel { matched, report };
 
-/// The report's own order of things: values read from the environment are decoded, exposed, bent by its tone curve and encoded
-/// before they light anything, and what its passes add up are codes: Frame::radiance is the report's frame buffer, from 0
-/// to where it is cut at 1. For Model::phong with MipLevel::report, texels as TexelTransfer::none.
+/// The report's order of operations: values read from the environment are decoded, exposed, tone-mapped and encoded
+/// before they light surfaces. The passes add up code values: Frame::radiance holds the report's frame buffer before
+/// it is clipped at 1. Requires Model::phong, MipLevel::report and TexelTransfer::none.
 struct ReportPipeline {
-    float exposure = 1.0f; ///< e
-    float contrast = 1.0f; ///< K
+    float exposure = 1.0f; ///< e in docs/REPORT.md
+    float contrast = 1.0f; ///< K in docs/REPORT.md
     bool linear = true;    ///< false: nothing is decoded or encoded, as in the report's nonlinear column
 };
 
-/// How many of the lobe's samples a split-sum picture takes: the mean light of so few wide lookups times the table of
-/// what a surface reflects in all. One lookup in a cube of lobes seen along the normal, as engines do, is 2 to 11 times
-/// as far off (docs/ERRORS.md).
+/// Number of lobe samples of a split-sum picture, which multiplies the mean light of these wide lookups by the table
+/// of directional albedo. A single lookup in a cube of lobes seen along the normal, as in game engines, has 2 to 11
+/// times the error (docs/ERRORS.md).
 constexpr int split_sum_samples = 8;
 
-/// Everything a drawing depends on but the scene and the environment.
+/// All inputs of a drawing except the scene and the environment.
 struct Settings : view::Picture {
     int samples = 40; ///< of the specular lobe, 1 to 65536
     MipLevel mip_level = MipLevel::matched;
-    float ambient_brightness = 1.0f; ///< factor on the diffuse light of the environment; the report's is 2
-    std::optional<ReportPipeline> pipeline; ///< unset: light is added up, and shown at the end
-    int edge_samples = 4;                   ///< per pixel where surfaces end or bend, 1 to 64
+    float ambient_brightness = 1.0f; ///< factor on the diffuse light of the environment; 2 in the report
+    std::optional<ReportPipeline> pipeline; ///< unset: radiance is added up, and tone-mapped at the end
+    int edge_samples = 4;                   ///< visibility samples of a pixel at an edge, 1 to 64
     bool layers = false;                    ///< also return the G-buffer and the light of each pass
 };
 

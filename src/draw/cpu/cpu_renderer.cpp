@@ -19,7 +19,7 @@
 namespace lambent::draw {
 namespace {
 
-// Which tiles there are, and which of them are drawn.
+// The tiles of a picture, and which of them are drawn.
 class Tiles {
 public:
     Tiles(int width, int height)
@@ -36,7 +36,7 @@ public:
         return {x, y, std::min(size, width_ - x), std::min(size, height_ - y)};
     }
 
-    // Each of them by one thread.
+    // Each tile is accessed by one thread only.
     bool is_done(int tile) const { return done_[static_cast<std::size_t>(tile)] != 0; }
     void set_done(int tile) { done_[static_cast<std::size_t>(tile)] = 1; }
 
@@ -48,11 +48,11 @@ private:
     std::vector<char> done_;
 };
 
-// Asks one thread at a time, with the done fraction, whether to go on. Of tiles that end after a no, too: the answer no
-// longer matters, but who counts on the fractions gets the last one.
-class Questions {
+// Calls GoOn after every tile, one thread at a time. Tiles that finish after it returned false are reported too, so
+// that the caller knows the final fraction.
+class ProgressReporter {
 public:
-    Questions(const Drawing::GoOn& go_on, int done, int all) : go_on_(go_on), done_(done), all_(all) {}
+    ProgressReporter(const Drawing::GoOn& go_on, int done, int all) : go_on_(go_on), done_(done), all_(all) {}
 
     void step()
     {
@@ -95,7 +95,7 @@ public:
         return {"cpu", text(hwy::TargetName(targets & -targets), ", ", std::min(allowed, arena), " threads")};
     }
 
-    // What pictures in the present pose are drawn from.
+    // The scene in its current pose, with textures for this transfer.
     const PreparedScene& prepared(TexelTransfer transfer)
     {
         if (!prepared_ || prepared_transfer_ != transfer) {
@@ -112,9 +112,9 @@ public:
     const scene::Scene& scene() const { return *scene_; }
 
 private:
-    const scene::Scene& first_; ///< has the images
-    const scene::Scene* scene_; ///< as it is drawn
-    bool stale_ = false;        ///< whether another was prepared
+    const scene::Scene& first_; ///< holds the images
+    const scene::Scene* scene_; ///< the current pose
+    bool stale_ = false;        ///< whether `prepared_` has another pose
     std::optional<PreparedScene> prepared_;
     TexelTransfer prepared_transfer_ = TexelTransfer::srgb;
 };
@@ -131,14 +131,14 @@ public:
     bool advance(const GoOn& go_on) override
     {
         const PictureContext picture{renderer_.prepared(settings_.texel_transfer), settings_, prepared_};
-        Questions questions(go_on, tiles_.done_count(), tiles_.count());
+        ProgressReporter reporter(go_on, tiles_.done_count(), tiles_.count());
         tbb::enumerable_thread_specific<TileDrawer> drawers([&] { return TileDrawer(picture); });
         tbb::parallel_for(0, tiles_.count(), [&](int tile) {
-            if (questions.stopped() || tiles_.is_done(tile))
+            if (reporter.stopped() || tiles_.is_done(tile))
                 return;
             drawers.local().draw(tiles_.area(tile), frame_);
             tiles_.set_done(tile);
-            questions.step();
+            reporter.step();
         });
         return tiles_.done_count() == tiles_.count();
     }

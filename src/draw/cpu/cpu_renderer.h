@@ -1,4 +1,4 @@
-// The backend that needs no GPU: Embree for what is seen, SIMD lanes for how it looks.
+// The backend for CPUs: visibility by Embree, shading in SIMD lanes.
 #pragma once
 
 #include "draw/renderer.h"
@@ -8,8 +8,8 @@
 
 namespace lambent::draw {
 
-/// A renderer of `scene`, which must outlive it. Work is spread over the calling TBB arena.
-/// Throws Error(no_device) if the processor cannot run Embree or memory does not suffice.
+/// A renderer of `scene`, which must outlive it. Work runs in the caller's TBB arena. Drawing throws Error(no_device)
+/// if the processor cannot run Embree or memory does not suffice.
 std::unique_ptr<Renderer> make_cpu_renderer(const scene::Scene& scene);
 
 } // namespace lambent::draw

@@ -1,4 +1,4 @@
-// The G-buffer of one tile, as columns: one fragment per surface seen in a pixel.
+// The G-buffer of one tile, stored by columns: one fragment per surface seen in a pixel.
 #pragma once
 
 #include "draw/columns.h"
@@ -9,10 +9,10 @@
 
 namespace lambent::draw {
 
-/// Columns behind those of draw/columns.h: what is known from visibility.
+/// Columns after those of draw/columns.h, filled from visibility.
 enum VisibilityColumn : int {
     place_x = column_count,
-    place_y, ///< in the picture, pixels
+    place_y, ///< position in the picture, pixels
     hit_distance,
     hit_u,
     hit_v,
@@ -20,8 +20,8 @@ enum VisibilityColumn : int {
     all_columns
 };
 
-/// Fragments in groups of one instance each; a group starts at a multiple of `group_alignment` and its last vector is
-/// filled up with fragments of weight 0, so that SIMD loops need no tail.
+/// Fragments in groups of one instance each. A group starts at a multiple of `group_alignment` and is padded to the
+/// next with fragments of weight 0, so that SIMD loops need no tail.
 class Fragments {
 public:
     static constexpr std::size_t group_alignment = 16;
@@ -31,7 +31,7 @@ public:
         std::size_t begin = 0, end = 0; ///< multiples of group_alignment
     };
 
-    /// Room for `count` fragments; what the columns hold is then undefined.
+    /// Resizes to `count` fragments, whose columns are then undefined.
     void resize(std::size_t count)
     {
         if (count > capacity_) {
@@ -50,11 +50,11 @@ public:
     {
         return values_.data() + static_cast<std::size_t>(column) * capacity_;
     }
-    std::size_t capacity() const { return capacity_; } ///< floats from a column to the next
+    std::size_t capacity() const { return capacity_; } ///< distance between columns, floats
 
     std::vector<std::uint32_t> pixel;    ///< index in the tile
     std::vector<float> weight;           ///< share of the pixel, 0 to 1
-    std::vector<std::uint32_t> triangle; ///< of the group's mesh
+    std::vector<std::uint32_t> triangle; ///< index in the group's mesh
     std::vector<Group> groups;
 
 private:

@@ -12,7 +12,7 @@ void choose_lights(std::span<const LightSource> lights, const scene::Bounds& box
     chosen.clear();
     for (const LightSource& light : lights) {
         const glm::vec3 way = light.position - glm::clamp(light.position, box.low, box.high);
-        // Infinite ranges end nowhere.
+        // An infinite range reaches everything: the comparison is false.
         if (!light.local || !(glm::dot(way, way) > rounding * light.range * light.range))
             chosen.push_back(light);
     }

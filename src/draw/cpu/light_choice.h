@@ -1,4 +1,4 @@
-// Which lights can matter to the points of a box.
+// Selection of the lights that can reach the points of a box.
 #pragma once
 
 #include "draw/light_context.h"
@@ -9,7 +9,7 @@
 
 namespace lambent::draw {
 
-/// Fills `chosen` with all lights but those whose range ends before the box, whose light there is exactly 0.
+/// Fills `chosen` with all lights except those whose range ends before the box: there their light is exactly 0.
 void choose_lights(std::span<const LightSource> lights, const scene::Bounds& box,
                    std::vector<LightSource>& chosen);
 

@@ -24,8 +24,8 @@ namespace {
 #include "draw/cpu/wide_environment.h"
 
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"  // surfaces are found elsewhere
-#pragma GCC diagnostic ignored "-Wunused-parameter" // of lists without rows
+#pragma GCC diagnostic ignored "-Wunused-function"  // those of the surface pass
+#pragma GCC diagnostic ignored "-Wunused-parameter" // in code made from empty lists
 #include "shading/all.glsl"
 #include "shading/light_passes.glsl"
 #pragma GCC diagnostic pop

@@ -1,4 +1,4 @@
-// Light on surfaces, on SIMD lanes: the passes of src/shading over the fragments of a tile.
+// The light passes of src/shading over the fragments of a tile, in SIMD lanes.
 #pragma once
 
 #include "draw/cpu/fragments.h"
@@ -8,24 +8,25 @@
 
 namespace lambent::draw {
 
-/// Adds the direct light of `lights` to direct_* of the fragments [begin, end).
+/// Fills column_direct of the fragments [begin, end) with the light of `lights`.
 void light_directly(const LightContext& context, std::span<const LightSource> lights, std::size_t begin,
                     std::size_t end, Fragments& fragments);
 
-/// Fills irradiance_* and ambient_*.
+/// Fills column_irradiance and column_ambient: the environment's diffuse light.
 void light_ambiently(const LightContext& context, std::size_t begin, std::size_t end, Fragments& fragments);
 
-/// Fills reflected_*: the specular light of the environment.
+/// Fills column_reflected: the environment's specular light; with `middle_level`, also that column.
 void light_specularly(const LightContext& context, std::size_t begin, std::size_t end, Fragments& fragments);
 
-/// Radiance of the environment along rays of sight, for the background.
+/// Adjacent pixels of a row whose background is computed.
 struct BackgroundRow {
-    float y = 0.0f;      ///< of the pixels' centres
-    int first_x = 0;     ///< pixel
+    float y = 0.0f;      ///< of the pixels' centres, in the picture
+    int first_x = 0;     ///< of the first pixel
     int count = 0;       ///< pixels
-    float level = -1.0f; ///< of blur; below 0: the panorama itself
+    float level = -1.0f; ///< of blur; negative: the panorama itself
 };
-/// Writes RGB to three arrays of `count` floats rounded up to 16.
+/// Writes the environment's radiance along the row's camera rays to three arrays, R, G and B, whose size is `count`
+/// rounded up to a multiple of 16.
 void light_background(const LightContext& context, const RayMap& rays, const BackgroundRow& row,
                       float* const rgb[3]);
 

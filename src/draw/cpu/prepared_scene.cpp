@@ -34,7 +34,7 @@ PreparedScene::PreparedScene(const scene::Scene& scene, const scene::Scene& pose
 
 void PreparedScene::pose(const scene::Scene& posed)
 {
-    visibility_.reset(); // before the next takes memory
+    visibility_.reset(); // frees its memory before the next is made
     visibility_.emplace(posed);
     surfaces_.clear();
     for (const scene::Instance& instance : posed.instances) {

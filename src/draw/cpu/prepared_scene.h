@@ -1,4 +1,4 @@
-// A scene with all that does not change from picture to picture worked out.
+// A scene prepared for drawing: all data that do not change from picture to picture.
 #pragma once
 
 #include "draw/textures/scene_textures.h"
@@ -15,19 +15,19 @@ using trace::Visibility;
 
 class PreparedScene {
 public:
-    /// `posed` is the scene or it at another moment, whose images are not looked at. Both must outlive it.
+    /// `posed` is `scene` or the same scene at another time; its images are not read. Both must outlive this.
     PreparedScene(const scene::Scene& scene, const scene::Scene& posed, TexelTransfer transfer);
 
-    /// Goes on to another moment; textures stay. The scene must outlive it. Throws Error(no_device), and must then be
-    /// posed again before it is drawn.
+    /// Changes to another time; textures are kept. `posed` must outlive this. Throws Error(no_device); then another
+    /// pose() has to succeed before drawing.
     void pose(const scene::Scene& posed);
 
     const Visibility& visibility() const { return *visibility_; }
 
-    /// What the surfaces of an instance share; rays and model are left to the caller.
+    /// Data shared by an instance's surfaces; the caller sets rays, model and the picture's other settings.
     const SurfaceContext& surface(std::uint32_t instance) const { return surfaces_[instance]; }
 
-    /// Whether a ray that meets the back of this instance goes on.
+    /// Whether rays pass through the back faces of this instance.
     bool culls_back(std::uint32_t instance) const { return !surfaces_[instance].material->double_sided; }
 
 private:

@@ -7,7 +7,7 @@
 namespace lambent::draw {
 namespace {
 
-// A ray that has gone through so many backs sees nothing any more.
+// A ray that has passed through this many back faces hits nothing.
 constexpr int most_backs = 256;
 
 } // namespace

@@ -1,4 +1,4 @@
-// Rays of sight through places in the picture, and what they see: backs of one-sided surfaces are looked through.
+// Camera rays through positions in the picture, and their hits; back faces of one-sided surfaces are skipped.
 #pragma once
 
 #include "draw/settings.h"
@@ -11,22 +11,23 @@ namespace lambent::draw {
 
 using trace::Hit, trace::Rays;
 
-/// One look into the scene.
+/// A visibility sample: a camera ray and its hit.
 struct Look {
-    float x = 0.0f, y = 0.0f; ///< place in the picture, in pixels
+    float x = 0.0f, y = 0.0f; ///< position in the picture, pixels
     float near = 0.0f;        ///< where the ray starts, in multiples of its direction
-    std::uint32_t pixel = 0;  ///< of the tile
+    std::uint32_t pixel = 0;  ///< index in the tile
     float weight = 1.0f;      ///< share of the pixel
-    float extent = 1.0f;      ///< side of the square that is lit as one, in pixels
+    float extent = 1.0f;      ///< side of the square that the look covers, pixels
     Hit hit;
 };
 
-/// Looks through a scene; keeps its buffers from call to call.
+/// Traces looks through a scene; reuses its buffers from call to call.
 class Sight {
 public:
     Sight(const PreparedScene& scene, const RayMap& map);
 
-    /// Fills the hits of all looks; from beyond Visibility::furthest nothing is seen. Looks next to each other should be next to each other in the picture.
+    /// Fills the hits of all looks. Nothing is hit if camera rays exceed Visibility::furthest. For speed, consecutive
+    /// looks should be neighbours in the picture.
     void look(std::vector<Look>& looks);
 
 private:
@@ -34,7 +35,7 @@ private:
 
     const PreparedScene& scene_;
     RayMap map_;
-    bool within_reach_; ///< of Visibility
+    bool within_reach_; ///< see draw/reach.h
     Rays rays_;
     std::vector<Hit> hits_;
     std::vector<Look*> waiting_;

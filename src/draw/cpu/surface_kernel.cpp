@@ -16,7 +16,7 @@ namespace {
 #include "wide/wide.h"
 #include "shading/numbers.glsl"
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function" // triangles are met by Embree
+#pragma GCC diagnostic ignored "-Wunused-function" // Embree intersects triangles
 #include "shading/points.glsl"
 #pragma GCC diagnostic pop
 #include "draw/cpu/wide_fragments.h"
@@ -25,8 +25,8 @@ namespace {
 #include "draw/cpu/wide_sources.h"
 
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function"  // light is elsewhere
-#pragma GCC diagnostic ignored "-Wunused-parameter" // of lists without rows
+#pragma GCC diagnostic ignored "-Wunused-function"  // those of the light passes
+#pragma GCC diagnostic ignored "-Wunused-parameter" // in code made from empty lists
 #include "shading/surface_pass.glsl"
 #pragma GCC diagnostic pop
 

@@ -1,4 +1,4 @@
-// From hits to surfaces: position, normal, material, by interpolation and textures, on SIMD lanes.
+// The surface pass in SIMD lanes: position, normal and material of hits, by interpolation and textures.
 #pragma once
 
 #include "draw/settings.h"
@@ -16,21 +16,21 @@
 
 namespace lambent::draw {
 
-/// The sets of texture coordinates that a material's textures read, each once, and which of these each texture reads.
+/// The distinct sets of texture coordinates that a material's textures read, and the set of each texture.
 struct TexcoordChoice {
     TexcoordChoice() = default;
     TexcoordChoice(const scene::Mesh& mesh, const scene::Material& material);
 
     std::array<const std::vector<glm::vec2>*, scene::texture_count>
-        sets{}; ///< the first `count`; empty where the mesh has none such
+        sets{}; ///< the first `count` are used; a set that the mesh lacks is empty
     int count = 0;
-    std::array<int, scene::texture_count> of{}; ///< by the textures' numbers, index into sets
+    std::array<int, scene::texture_count> of{}; ///< index into `sets`, by texture number
 
 private:
     int add(const scene::Mesh& mesh, const scene::TextureUse& use);
 };
 
-/// What all fragments of a group share.
+/// Data shared by all fragments of a group.
 struct SurfaceContext {
     RayMap rays;
     Model model = Model::ggx;
@@ -42,13 +42,13 @@ struct SurfaceContext {
     std::array<float, scene::texture_count> normal_scales{};
     TexcoordChoice texcoords;
     glm::mat4 transform{1.0f}; ///< world from mesh
-    glm::mat3 normals{1.0f};   ///< world from mesh for normals, up to length; keeps what is outside outside
+    glm::mat3 normals{1.0f};   ///< world from mesh for normals, up to length; outward normals stay outward
     float handedness = 1.0f;   ///< -1 where the transform mirrors
-    std::optional<float> roughness; ///< perceptual, instead of the material's
+    std::optional<float> roughness; ///< perceptual; replaces the material's
 };
 
-/// Fills the surface columns, `opacity` and `emitted_*` of the fragments [begin, end), multiples of
-/// Fragments::group_alignment, from place, hit_* and triangle.
+/// Fills the surface columns, opacity and emission of the fragments [begin, end) from their positions, hits and
+/// triangles. `begin` and `end` are multiples of Fragments::group_alignment.
 void find_surfaces(const SurfaceContext& context, std::size_t begin, std::size_t end, Fragments& fragments);
 
 } // namespace lambent::draw

@@ -44,7 +44,7 @@ void TileDrawer::draw(const TileArea& area, Frame& frame)
         resolve(frame, area);
         look_behind();
     }
-    for (const Look& look : looks_) // behind more layers than are drawn
+    for (const Look& look : looks_) // still transparent after the last wave
         background_[look.pixel] += look.weight;
     add_background(frame, area);
 }
@@ -133,7 +133,7 @@ void TileDrawer::resolve(Frame& frame, const TileArea& area)
     }
 }
 
-// What is behind everything, where something of it is seen. Coverage stays that of the surfaces.
+// Adds the background to pixels that surfaces do not cover. Alpha remains the coverage by surfaces.
 void TileDrawer::add_background(Frame& frame, const TileArea& area)
 {
     const Background& background = picture_.settings.background;

@@ -1,4 +1,4 @@
-// One tile of a picture, from rays to radiance: the deferred passes over a G-buffer that stays in the cache.
+// One tile of a picture, from camera rays to radiance: deferred passes over a G-buffer that fits in the cache.
 #pragma once
 
 #include "draw/cpu/fragments.h"
@@ -13,7 +13,7 @@
 
 namespace lambent::draw {
 
-/// What all tiles of a picture share.
+/// Data shared by all tiles of a picture.
 struct PictureContext {
     const PreparedScene& scene;
     const Settings& settings;
@@ -24,24 +24,24 @@ struct TileArea {
     int x, y, width, height; ///< pixels
 };
 
-/// What the middle of a pixel shows, to tell where surfaces end.
+/// The surface at the centre of a pixel, for edge detection.
 struct Seen {
     std::uint32_t instance = Hit::nothing;
-    float pixel_width = 0.0f; ///< in the world, at the point
+    float pixel_width = 0.0f; ///< in world space, at `point`
     glm::vec3 point{0.0f}, normal{0.0f};
 };
 
-/// The share of a surface that is seen, 0 to 1.
+/// The opaque share of a surface, 0 to 1.
 float shown(const scene::Material& material, float opacity);
 
-/// Draws tiles one after the other; one per thread.
+/// Draws tiles one after the other; each thread has a drawer of its own.
 class TileDrawer {
 public:
-    static constexpr int largest_size = 32; ///< its fragments stay in the cache
+    static constexpr int largest_size = 32; ///< pixels; the fragments then fit in the cache
 
     explicit TileDrawer(const PictureContext& picture);
 
-    /// Draws into the frame's pixels of the area, at most largest_size wide and high.
+    /// Draws the area, at most `largest_size` wide and high, into the frame.
     void draw(const TileArea& area, Frame& frame);
 
 private:
@@ -66,17 +66,17 @@ private:
     Fragments fragments_;
 
     int apron_x_ = 0, apron_y_ = 0, apron_width_ = 0, apron_height_ = 0; ///< the area and one pixel around it
-    std::vector<Look> centres_;             ///< of the apron's pixels, in the order they were looked at
+    std::vector<Look> centres_;             ///< of the apron's pixels, in the order of tracing
     std::vector<std::uint32_t> centre_;     ///< [row of the apron][column]: index into centres_
     std::vector<Seen> seen_;                ///< [row of the apron][column]
-    std::vector<Look> looks_;               ///< of the present wave
-    std::vector<Look> edges_;               ///< several per pixel, where surfaces end
+    std::vector<Look> looks_;               ///< of the current wave
+    std::vector<Look> edges_;               ///< of pixels at edges, several each
     std::vector<Look> surfaces_;            ///< looks that became fragments: one per surface and pixel
-    std::vector<glm::vec2> means_;          ///< of each of surfaces_: sum of its looks' places, weighted
+    std::vector<glm::vec2> means_;          ///< of each of surfaces_: weighted sum of its looks' positions
     std::vector<std::uint32_t> surface_of_; ///< of each of looks_: index into surfaces_
-    std::vector<std::uint32_t> group_of_;   ///< of each of surfaces_
-    std::vector<LightSource> lights_;       ///< that reach the present group
-    std::vector<float> background_;         ///< per pixel of the tile: share that nothing covers
+    std::vector<std::uint32_t> group_of_;   ///< of each of surfaces_: index into the groups
+    std::vector<LightSource> lights_;       ///< that reach the current group
+    std::vector<float> background_;         ///< per pixel of the tile: share not covered by surfaces
 };
 
 } // namespace lambent::draw

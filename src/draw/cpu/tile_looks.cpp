@@ -8,15 +8,15 @@
 #include <cmath>
 #include <limits>
 
-// Where a tile's drawer looks, and what surfaces that makes.
+// The visibility part of TileDrawer: looks, and the fragments made from them.
 
 namespace lambent::draw {
 namespace {
 
 constexpr std::uint32_t no_surface = std::numeric_limits<std::uint32_t>::max();
 
-// Two points of one surface belong together while the surface bends little between them and the second lies off the
-// first's plane by less than a pixel's width.
+// Whether no edge lies between two points: their instance is the same, their normals are similar, and the second is
+// less than a pixel's width from the tangent plane of the first.
 bool same_surface(const Seen& a, const Seen& b, float least_cosine)
 {
     if (a.instance != b.instance)
@@ -34,7 +34,7 @@ bool shares_shading(const Hit& a, const Hit& b, float least_cosine)
 
 } // namespace
 
-// One look through the middle of every pixel of the area and of those around it, in blocks of 4x4: a packet of rays.
+// Traces a look through the centre of every pixel of the area and its border, in blocks of 4x4: a packet of rays.
 void TileDrawer::look_at_centres(const TileArea& area)
 {
     apron_x_ = std::max(area.x - 1, 0);
@@ -70,7 +70,7 @@ void TileDrawer::look_at_centres(const TileArea& area)
     }
 }
 
-// Whether the surface in the middle of a pixel of the apron ends towards one of its neighbours.
+// Whether an edge lies between the centre of a pixel of the apron and that of a neighbour.
 bool TileDrawer::is_edge(int column, int row) const
 {
     const Seen* const middle = seen_.data() + row * apron_width_ + column;
@@ -82,7 +82,7 @@ bool TileDrawer::is_edge(int column, int row) const
     return false;
 }
 
-// The looks to be drawn: the one through the middle, or where a surface ends several ones.
+// Chooses the looks of every pixel: the one through its centre or, at an edge, several.
 void TileDrawer::choose_looks(const TileArea& area)
 {
     looks_.clear();
@@ -106,7 +106,7 @@ void TileDrawer::choose_looks(const TileArea& area)
                 look.y = static_cast<float>(area.y + y) + place.y;
                 edges_.push_back(look);
             }
-            // Counts for nothing, but may stand for those around it.
+            // The central look has weight 0, but its surface may be shaded there.
             look.x = static_cast<float>(area.x + x) + 0.5f;
             look.y = static_cast<float>(area.y + y) + 0.5f;
             look.weight = 0.0f;
@@ -163,7 +163,7 @@ void TileDrawer::build_fragments()
     place_fragments();
 }
 
-// A surface is lit where the look nearest to the middle of all its looks meets it.
+// A surface is shaded at the look nearest to the mean position of its looks.
 void TileDrawer::choose_places()
 {
     const auto distance = [&](const Look& look, std::size_t at) {
@@ -179,7 +179,7 @@ void TileDrawer::choose_places()
     }
 }
 
-// Gives every instance seen its group, and every surface its place there.
+// Makes a group for each visible instance, and stores the surfaces in their groups.
 void TileDrawer::place_fragments()
 {
     auto& groups = fragments_.groups;
@@ -187,7 +187,7 @@ void TileDrawer::place_fragments()
     std::size_t last = 0;
     group_of_.clear();
     for (const Look& look : surfaces_) {
-        // Neighbours mostly show the same instance: the search starts where the last one ended.
+        // Neighbours mostly show the same instance, so the group of the last one is tried first.
         if (groups.empty() || groups[last].instance != look.hit.instance) {
             const auto found = std::find_if(groups.begin(), groups.end(), [&](const Fragments::Group& group) {
                 return group.instance == look.hit.instance;
@@ -216,7 +216,7 @@ void TileDrawer::place_fragments()
     }
 }
 
-// The looks that go on behind what is transparent; what is seen there has the weight that is left.
+// Traces the looks that continue behind transparent surfaces, with the remaining weight.
 void TileDrawer::look_behind()
 {
     looks_.clear();

@@ -1,7 +1,7 @@
-// What the passes of light look up, over lanes: hooks of src/shading/README.md, and what fills them. Included after wide/wide.h,
+// Lookups of the light passes in SIMD lanes: hooks of src/shading/README.md. Included after wide/wide.h,
 // wide_fragments.h, wide_cube.h, wide_panorama.h and shading/numbers.glsl, inside the target's namespace: no guard.
 
-// What the hooks of src/shading/README.md read.
+// The data that the hooks read.
 struct Environment {
     const LightContext* context;
     CubeSums* sums;
@@ -14,12 +14,12 @@ struct Environment {
     int mip_levels;
     const SampleTables* tables;
     int samples;
-    float background_level;   // of blur; below 0: the panorama itself
-    float level_shares[2];    // of the two levels that it lies between
-    float level_variances[2]; // theirs
+    float background_level;   // of blur; negative: the panorama itself
+    float level_shares[2];    // weights of the two levels that it lies between; 0 for levels with lamps
+    float level_variances[2]; // angular variances of these levels
 };
 
-// No parameter of a material stretches its facets.
+// Materials have no anisotropy: no facets have two different alphas.
 HWY_INLINE int has_stretch()
 {
     return 0;
@@ -58,7 +58,7 @@ HWY_INLINE vec3 across_of(const Environment& e)
     return uniform(e.context->across);
 }
 
-// A direction of the world, in the environment's own frame.
+// A world direction in the environment's own frame.
 HWY_INLINE vec3 turned(const Environment& e, vec3 d)
 {
     const Real cosine = e.context->rotation_cosine, sine = e.context->rotation_sine;
@@ -136,7 +136,7 @@ HWY_INLINE Real highest_report_level(const Environment& e)
     return e.mip_levels - 1;
 }
 
-// The sums live in the environment; the text hands this around.
+// The sums are stored in Environment::sums; the shared code passes this empty value around.
 struct LightSum {};
 
 HWY_INLINE LightSum no_light(const Environment& e)
@@ -162,7 +162,7 @@ HWY_INLINE vec3 second_light(const Environment& e, LightSum)
 
 HWY_INLINE Real report_base_level(const Environment& e)
 {
-    // NOLINTNEXTLINE(clang-analyzer-core.NullDereference): asked for only when the report's levels were made
+    // NOLINTNEXTLINE(clang-analyzer-core.NullDereference): called only where the mip chain exists
     return 0.5f * std::log2(static_cast<float>(e.mips[0].width) * static_cast<float>(e.mips[0].height));
 }
 
@@ -171,7 +171,7 @@ PanoramaView view(const environment::Panorama& p)
     return {reinterpret_cast<const int32_t*>(p.texels.data()), p.width, p.height, 1.0e30f};
 }
 
-// Every level is read for all lanes and kept where it is wanted: slow, and only the report's own variant asks.
+// Reads every level that some lane needs, for all lanes: slow, but used only for the report's levels.
 HWY_INLINE vec3 environment_report_radiance(const Environment& e, vec3 d, Real level)
 {
     const vec2 uv = equirectangular_from_direction(normalize(d));
@@ -229,7 +229,7 @@ HWY_INLINE Real variance_of_level(const Environment& e, int level)
     return e.level_variances[level];
 }
 
-// Where a background's level lies between two, and what of each is read that is without lamps.
+// Sets the level of the background, and weight and variance of those of the two levels around it that lack the lamps.
 void place_background(const environment::Environment& from, float level, Environment& e)
 {
     e.background_level = level;

@@ -1,9 +1,9 @@
-// Columns of Fragments as lanes: hooks of src/shading/README.md. Included after wide/wide.h, inside the target's namespace: no
-// guard.
+// Columns of Fragments as lanes: hooks of src/shading/README.md. Included after wide/wide.h, inside the target's
+// namespace: no guard.
 
-// As many fragments as there are lanes.
+// One fragment per lane.
 struct Fragment {
-    float* values; // of the first in column 0
+    float* values; // column 0 of the first fragment
     size_t capacity;
 };
 
@@ -22,13 +22,13 @@ HWY_INLINE void store(const Fragment& f, int column, Real value)
     store(value, f.values + static_cast<size_t>(column) * f.capacity);
 }
 
-// Asking each vector of fragments costs next to nothing.
+// Each vector of fragments is tested for lobes over its base, which costs almost nothing.
 HWY_INLINE int has_layers()
 {
     return 1;
 }
 
-// The table's part of that number at whole coordinates.
+// Number `part` of the albedo table at integer coordinates.
 HWY_INLINE Real albedo_entry(Real column, Real row, int part)
 {
     const Int index = hn::Add(hn::Mul(truncated(row), integer(albedo_table_size)), truncated(column));
@@ -41,6 +41,6 @@ HWY_INLINE vec3 uniform(glm::vec3 v)
 }
 
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function" // not every kernel does both
+#pragma GCC diagnostic ignored "-Wunused-function" // not every kernel both loads and stores
 #include "shading/passes/vectors.glsl"
 #pragma GCC diagnostic pop

@@ -1,12 +1,12 @@
-// Where surfaces come from, over lanes: hooks of src/shading/README.md that find them. Included after wide/wide.h,
-// shading/points.glsl, wide_fragments.h and wide_texture.h, inside the target's namespace: no guard.
+// Hooks of src/shading/README.md for the surface pass, in SIMD lanes. Included after wide/wide.h, shading/points.glsl,
+// wide_fragments.h and wide_texture.h, inside the target's namespace: no guard.
 
 mat3 uniform(const glm::mat3& m)
 {
     return mat3(uniform(m[0]), uniform(m[1]), uniform(m[2]));
 }
 
-// One attribute at the three corners of each lane's triangle.
+// One vertex attribute at the three corners of each lane's triangle.
 template <int components>
 struct LaneCorners {
     alignas(64) float values[3][components][max_lanes];
@@ -41,11 +41,11 @@ Real interpolate(const LaneCorners<components>& corners, int i, const Barycentri
            at.c * load(corners.values[2][i]);
 }
 
-// The hooks of src/shading/README.md that find surfaces: fragments of one instance.
+// Fragments of one instance, one per lane.
 struct Source {
     const SurfaceContext* context;
     Fragment fragment;
-    const uint32_t* triangles; // of the mesh, by lanes
+    const uint32_t* triangles; // index in the mesh, per lane
 };
 
 template <int components, class Attribute>
@@ -88,7 +88,7 @@ HWY_INLINE Triangle triangle_of(const Source& s)
             linear * (corner3(corners, 2) - corner3(corners, 0))};
 }
 
-// Embree's.
+// The intersection that Embree found.
 HWY_INLINE Meeting meeting_of(const Source& s, const SightRay&, const Triangle&)
 {
     return {load(s.fragment, hit_distance), load(s.fragment, hit_u), load(s.fragment, hit_v)};
@@ -156,7 +156,7 @@ public:
             *texture, texture_point(*context_.uses[number], sets_[context_.texcoords.of[number]], at_), mask);
     }
 
-    // Of masks, alpha is the share that is there.
+    // For masks, alpha is the opaque share.
     Texel read_base_color(const Texel& vertex) const
     {
         const scene::Material& m = *context_.material;
@@ -174,7 +174,7 @@ public:
 private:
     const SurfaceContext& context_;
     Barycentric at_;
-    LaneCorners<2> sets_[texture_count]; // as TexcoordChoice has them
+    LaneCorners<2> sets_[texture_count]; // in the order of TexcoordChoice::sets
 };
 
 Texels texels_of(const Source& s, const Barycentric& at, const Texel& vertex)
@@ -236,7 +236,7 @@ vec3 tangent_at(const Source& s, const Barycentric& at)
            vec3(interpolate(corners, 0, at), interpolate(corners, 1, at), interpolate(corners, 2, at));
 }
 
-// The sign of the first corner's bitangent, turned where the transform mirrors.
+// The sign of the first corner's bitangent, negated where the transform mirrors.
 HWY_INLINE Real tangent_side(const Source& s)
 {
     const LaneCorners<4> corners = corners_of<4>(s, s.context->mesh->tangents);

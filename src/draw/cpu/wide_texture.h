@@ -1,8 +1,8 @@
 // Reading PackedTextures with lanes of coordinates. Included after wide/wide.h and shading/points.glsl, inside the
-// target's namespace: no guard. Addresses are found per lane in plain code, which the compiler turns into vectors of
+// target's namespace: no guard. Addresses are computed per lane in scalar code; the compiler vectorises the sums by
 // eight: two RGBA texels.
 
-// A coordinate brought to [0, 1] by the sampler.
+// A coordinate mapped to [0, 1] by the sampler's wrap mode.
 HWY_INLINE Real wrapped(Real x, scene::Wrap wrap)
 {
     if (wrap == scene::Wrap::repeat)
@@ -10,7 +10,7 @@ HWY_INLINE Real wrapped(Real x, scene::Wrap wrap)
     return wrap == scene::Wrap::clamp_to_edge ? clamp(x, 0.0, 1.0) : repeated_mirrored(x);
 }
 
-// Adds two neighbouring texels, weighed, to eight sums (r g b a of the left, then of the right one).
+// Adds two neighbouring texels times their weights to eight sums (r g b a of the left, then of the right one).
 HWY_INLINE void add_pair(const PackedTexture& t, size_t texel, float left, float right, float* sums)
 {
     const float weights[8] = {left, left, left, left, right, right, right, right};
@@ -31,19 +31,19 @@ HWY_INLINE void add_pair(const PackedTexture& t, size_t texel, float left, float
         sums[i] += weights[i] * values[i];
 }
 
-// A place in [0, 1] of one level, and what is read there counts.
+// One bilinear read: level, coordinates in [0, 1], weight.
 struct TextureRead {
     int level;
     float u, v;
     float weight;
 };
 
-// Adds the bilinear value, times its weight.
+// Adds the bilinear value times its weight to the sums of add_pair.
 HWY_INLINE void add_bilinear(const PackedTexture& t, TextureRead read, float* sums)
 {
     const int level = read.level, width = t.width[level], height = t.height[level];
     const float x = read.u * static_cast<float>(width) + 0.5f, y = read.v * static_cast<float>(height) + 0.5f;
-    // + 0.5: half a texel back, one for the border; a coordinate of 1 may round up.
+    // 0.5 = 1 (the border) - 0.5 (the centre of a texel). A coordinate of 1 may round up.
     const int x0 = x < static_cast<float>(width) ? static_cast<int>(x) : width;
     const int y0 = y < static_cast<float>(height) ? static_cast<int>(y) : height;
     const float right = x - static_cast<float>(x0), below = y - static_cast<float>(y0);
@@ -55,15 +55,15 @@ HWY_INLINE void add_bilinear(const PackedTexture& t, TextureRead read, float* su
     add_pair(t, texel + pitch, lower * (1.0f - right), lower * right, sums);
 }
 
-// The reads of all lanes, between two levels: the places in the finer one and, where they differ, in the coarser.
+// The reads of all lanes between two levels: coordinates in the finer and, where they differ, in the coarser level.
 struct TextureReads {
     alignas(64) float u[2][max_lanes];
     alignas(64) float v[2][max_lanes];
     alignas(64) float level[max_lanes];
-    int coarser = 0; // which of the places
+    int coarser = 0; // index of the coordinates in the coarser level
 };
 
-// The size of a level of each lane's own.
+// The size of a level that may differ between lanes.
 HWY_INLINE vec2 level_size(const PackedTexture& t, Real level)
 {
     const Int index = truncated(min(level, t.levels - 1));
@@ -71,7 +71,7 @@ HWY_INLINE vec2 level_size(const PackedTexture& t, Real level)
                 to_real(hn::GatherIndex(IntTag(), t.height, index)));
 }
 
-// Places in a level: in the middle of the nearest texel where that is asked for.
+// Coordinates in a level, snapped to the centre of the nearest texel where `nearest` is set.
 HWY_INLINE vec2 placed(const PackedTexture& t, vec2 uv, Real level, Mask nearest)
 {
     const vec2 size = level_size(t, level);
@@ -84,7 +84,7 @@ HWY_INLINE void store_place(const PackedTexture& t, vec2 uv, int which, TextureR
     store(wrapped(uv.y, t.sampler.wrap_v), reads.v[which]);
 }
 
-// What the alpha of a mask's texels is held against: they are there where alpha * vertex * factor reaches the cutoff.
+// The alpha test of a mask: a texel is opaque where alpha * vertex * factor >= cutoff.
 struct MaskCut {
     alignas(64) float vertex[max_lanes];
     float factor, cutoff;
@@ -95,8 +95,8 @@ struct MaskCut {
     }
 };
 
-// The finest level's own alpha is held against the cutoff; what coarser ones have is the share that is there, of texels that
-// could be.
+// Alpha of the finest level is tested against the cutoff. Coarser levels hold the opaque share, which counts where a
+// texel with alpha 1 would pass.
 HWY_INLINE void add_masked(const PackedTexture& t, TextureRead read, const MaskCut& mask, size_t lane,
                            float* sums)
 {
@@ -131,8 +131,8 @@ HWY_INLINE void add_reads(const PackedTexture& t, const TextureReads& reads, flo
     }
 }
 
-// Filtered over the pixel's footprint. Of a mask's, alpha is the share that is there. Samplers that ask for nearest texels
-// get one of each level for each of the reads that the footprint is made of.
+// Reads a texture, filtered over the pixel's footprint. For masks, alpha is the opaque share. Samplers of nearest
+// texels get one texel of each level for each of the reads that make up the footprint.
 HWY_INLINE Texel read_texture(const PackedTexture& t, TexturePoint p, const MaskCut* mask = nullptr)
 {
     const scene::Sampler& sampler = t.sampler;

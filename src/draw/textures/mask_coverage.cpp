@@ -6,7 +6,7 @@
 namespace lambent::draw {
 namespace {
 
-// Share of the way from a to b, linear between, that is not below `least`.
+// Share of a segment where the value, interpolated linearly from a to b, is at least `least`.
 float share_from(float a, float b, float least)
 {
     const float high = std::max(a, b), low = std::min(a, b);

@@ -21,7 +21,7 @@ double decoded(double code, TexelTransfer transfer)
     return transfer == TexelTransfer::srgb ? in_double::srgb_decode(code) : in_double::power(code, 2.2);
 }
 
-// Between 8-bit codes and linear light. Encoding looks up 16-bit light: its steps are a twentieth of a code in the dark.
+// Tables between 8-bit codes and linear light. Encoding quantises light to 16 bits, in steps of 1/20 code in the dark.
 struct CodeTables {
     std::array<float, 256> light;
     std::array<std::uint8_t, 65536> code;
@@ -30,7 +30,7 @@ struct CodeTables {
     {
         for (std::size_t i = 0; i < light.size(); ++i)
             light[i] = static_cast<float>(decoded(static_cast<double>(i) / 255.0, transfer));
-        // The code whose own light is nearest in codes: it changes half way from one to the next.
+        // Rounds to the nearest code: code k ends at the light of k + 1/2.
         std::size_t next = 0;
         for (std::size_t k = 0; k < light.size(); ++k)
             for (const double end = decoded((static_cast<double>(k) + 0.5) / 255.0, transfer) * 65535.0;
@@ -44,7 +44,7 @@ struct CodeTables {
     }
 };
 
-// Made when they are first asked for: most scenes have textures of one kind and plain numbers.
+// Tables are made on first use: most scenes need that of one transfer and the linear one.
 const CodeTables& tables(TexelTransfer transfer)
 {
     if (transfer == TexelTransfer::srgb) {
@@ -71,8 +71,8 @@ struct LinearLevel {
     }
 };
 
-// The image itself as the finest level: its codes are kept, its light is decoded texel by texel and never as a whole,
-// which would be four times as large.
+// The image as the finest level. Its codes are decoded texel by texel, because a decoded image would be four times as
+// large.
 struct Source {
     const image::CodeImage& image;
     TexelTransfer transfer;
@@ -115,11 +115,11 @@ int wrapped(int x, int size, scene::Wrap wrap)
     return wrap == scene::Wrap::repeat ? (x + size) % size : std::clamp(x, 0, size - 1);
 }
 
-// A mask's colours are averaged by how much of them is there. So little more keeps the mean where nothing is.
+// Colours of a mask are averaged with the weight opaque share + least_share, so that transparent areas keep the mean.
 constexpr float least_share = 1.0f / 1024.0f;
 
-// A mask's image as the finest level of those that follow: alpha is the share of each texel that is there, and colours
-// are weighed by it.
+// A mask's image as the source of the next level: alpha is the opaque share of each texel, and colours are multiplied
+// by their weight.
 struct MaskSource {
     const Source& source;
     const scene::Sampler& sampler;
@@ -141,7 +141,7 @@ struct MaskSource {
     }
 };
 
-// Which texels of a row of `from` a texel of the next level covers, and how much of each: two, or three if odd.
+// The texels of a row that a texel of the next level covers, and their weights: two, or three if the size is odd.
 struct Coverage {
     int first, count;
     float weight[3];
@@ -193,7 +193,7 @@ void store_codes(const Source& source, int x, int y, std::uint8_t* out)
     std::memcpy(out, source.image.bytes.data() + source.code_index(x, y), 4);
 }
 
-// A level with its border, which goes on as the sampler says. `store` writes the texel at (x, y).
+// Stores a level and its border, which continues it by the sampler's wrap modes. `store` writes the texel at (x, y).
 template <class Store>
 void store_level(int index, PackedTexture& texture, const Store& store)
 {
@@ -219,7 +219,7 @@ void store_source(const Source& source, PackedTexture& texture)
         store_level(0, texture, [&](int x, int y, std::uint8_t* out) { store_codes(source, x, y, out); });
 }
 
-// `weighed`: its colours are, by alpha.
+// `weighed`: colours are multiplied by their weight, which is divided out here.
 void store_linear(const LinearLevel& level, bool weighed, int index, const Source& source,
                   PackedTexture& texture)
 {

@@ -1,5 +1,5 @@
-// A material's texture as the shading kernels read it: mip maps with borders, so that any two texels to be filtered
-// lie side by side.
+// A material's texture as the shading kernels read it: mip maps with borders, so that any two neighbouring texels that
+// are filtered together are adjacent in memory.
 #pragma once
 
 #include "draw/settings.h"
@@ -12,12 +12,12 @@
 
 namespace lambent::draw {
 
-/// RGBA texels, 8 bytes (half floats, linear) or 4 bytes (codes) each. Every level has a border of one texel that
-/// holds what the sampler's wrap modes put there.
+/// RGBA texels, 8 bytes (half floats, linear) or 4 bytes (codes) each. Every level has a border of one texel, which
+/// continues it by the sampler's wrap modes.
 struct PackedTexture {
     static constexpr int most_levels = 16;
 
-    bool half_floats = false;                     ///< else 8-bit codes
+    bool half_floats = false;                     ///< if false, 8-bit codes
     TexelTransfer transfer = TexelTransfer::none; ///< of 8-bit codes; alpha is always linear
     const float* light = nullptr;                 ///< linear light of each 8-bit code, RGB
     const float* alpha = nullptr;                 ///< the same for alpha
@@ -26,16 +26,16 @@ struct PackedTexture {
     std::int32_t width[most_levels] = {};
     std::int32_t height[most_levels] = {};
     std::int32_t start[most_levels] = {}; ///< index of texel (-1, -1)
-    std::vector<std::uint8_t> bytes; ///< a few more than the texels need, so that two may be read at the end
+    std::vector<std::uint8_t> bytes;      ///< 16 more than the texels need, because texels are read in pairs
 };
 
-/// Packs an image for a sampler; the mip maps average linear light. 16-bit codes become half floats. A mask's are packed
-/// with the alpha from which on its texels are there: alpha of the first level is the image's, to be held against the
-/// cutoff where it is read, that of the others the share of their area that is there.
+/// Packs an image for a sampler; the mip maps average linear light. 16-bit codes become half floats. For a mask,
+/// `least_alpha` is the least alpha of opaque texels: the first level keeps the image's alpha, which is compared with
+/// the cutoff when it is read; alpha of the other levels is the opaque share of a texel's area.
 PackedTexture pack_texture(const image::CodeImage& image, const scene::Sampler& sampler,
                            TexelTransfer transfer, std::optional<float> least_alpha = std::nullopt);
 
-/// Linear light of the 256 codes.
+/// Table of the linear light of all 256 codes.
 const float* code_light(TexelTransfer transfer);
 
 } // namespace lambent::draw

@@ -7,7 +7,7 @@
 namespace lambent::draw {
 namespace {
 
-// Of each material, the mean alpha of the vertices that wear it: 1 for those of meshes without colours.
+// The mean vertex alpha of each mask material, where vertices without colours have 1; 1 for other materials.
 std::vector<float> vertex_alphas(const scene::Scene& scene)
 {
     std::vector<double> sums(scene.materials.size(), 0.0), counts(scene.materials.size(), 0.0);
@@ -29,7 +29,7 @@ std::vector<float> vertex_alphas(const scene::Scene& scene)
     return means;
 }
 
-// What the coarser levels of a material's base colour are made with. A sampler without them needs nothing.
+// `least_alpha` for the base colour texture; unset if the material is no mask or its sampler has no mip maps.
 std::optional<float> mask_of(const scene::Material& material, float vertex_alpha)
 {
     if (material.alpha_mode != scene::AlphaMode::mask || !material.base_color_texture.sampler.mipmapped)
@@ -65,7 +65,7 @@ void SceneTextures::list_textures(const scene::Scene& scene, TexelTransfer color
         for_each_use(i, [&](std::size_t, const scene::TextureUse& use, TexelTransfer transfer,
                             std::optional<float> least_alpha) { add(use, transfer, least_alpha); });
     materials_.resize(scene.materials.size());
-    for (std::size_t i = 0; i < scene.materials.size(); ++i) // once they no longer move
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) // textures_ no longer grows: pointers stay valid
         for_each_use(i, [&](std::size_t number, const scene::TextureUse& use, TexelTransfer transfer,
                             std::optional<float> least_alpha) {
             materials_[i][number] = find(use, transfer, least_alpha);

@@ -1,4 +1,4 @@
-// A scene's images, packed once for every way in which its materials read them.
+// A scene's images, packed once for every combination of sampler, transfer and mask by which materials read them.
 #pragma once
 
 #include "draw/textures/packed_texture.h"
@@ -12,30 +12,30 @@
 
 namespace lambent::draw {
 
-/// A material's textures by their numbers (shading/material/textures.h); null where it has none.
+/// A material's textures by number (shading/material/textures.h); null where it has none.
 using MaterialTextures = std::array<const PackedTexture*, scene::texture_count>;
 
 class SceneTextures {
 public:
-    /// `color`: the transfer of colours; everything else is linear.
+    /// `color` is the transfer of colour textures; all others are linear.
     SceneTextures(const scene::Scene& scene, TexelTransfer color);
 
-    /// The textures of a material of the scene, by its number.
+    /// The textures of the material with this index.
     MaterialTextures of(std::size_t material) const { return materials_[material]; }
 
     std::size_t size() const { return textures_.size(); }
     const PackedTexture& operator[](std::size_t i) const { return textures_[i].texture; }
 
-    /// The number of a texture that of() gave; -1 for null.
+    /// The index of a texture that of() returned; -1 for null.
     int index(const PackedTexture* texture) const;
 
 private:
-    /// One way of reading an image.
+    /// An image packed for one such combination.
     struct Packed {
         int image;
         scene::Sampler sampler;
         TexelTransfer transfer;
-        std::optional<float> least_alpha; ///< of masks, as pack_texture has it
+        std::optional<float> least_alpha; ///< for masks, see pack_texture
         PackedTexture texture;
     };
     void list_textures(const scene::Scene& scene, TexelTransfer color);

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// What is behind everything, where something of it is seen. Coverage stays that of the surfaces.
+// Adds the background to pixels that surfaces do not cover. Alpha remains the coverage by surfaces.
 #include "draw/vulkan/bindings.glsl"
 #include "draw/vulkan/hooks.glsl"
 
@@ -31,7 +31,7 @@ void main()
         return;
     int pixel = place.y * picture.tile.z + place.x;
     int pixels = picture.tile.z * picture.tile.w;
-    // Behind more layers than are drawn there is nothing else.
+    // Looks that are still transparent after the last wave show the background.
     float share = uintBitsToFloat(spans[pixel].z);
     for (int look = 0; through == 1 && look < looks; ++look)
         share += behind[pixel * looks + look].y;
@@ -39,7 +39,7 @@ void main()
         return;
     vec4 light = vec4(share * light_behind(vec2(place + picture.tile.xy) + 0.5), 0.0);
     drawn[pixel] += light;
-    for (int layer = 0; layer < picture.samples.z; ++layer) // the one that is the background's alone
+    for (int layer = 0; layer < picture.samples.z; ++layer) // that of the background
         if (picture.layers[layer / 4][layer % 4] < 0)
             drawn[(layer + 1) * pixels + pixel] += light;
 }

@@ -8,7 +8,7 @@ namespace {
 
 using namespace gpu_layout;
 
-// The two levels that are read: how much each counts, and how wide it is, where it is without the lamps' light.
+// For each of the two levels that are read: the weight of the lamps that are missing in it, and its angular variance.
 vec4 blur_of(const environment::Environment& e, float level)
 {
     const float clamped = std::min(level, static_cast<float>(e.chain.levels - 1)), fine = std::floor(clamped);

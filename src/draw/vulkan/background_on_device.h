@@ -1,4 +1,4 @@
-// What is seen behind everything, where a device can read it.
+// The background of a picture, on a device.
 #pragma once
 
 #include "draw/prepared_picture.h"
@@ -7,8 +7,8 @@
 
 namespace lambent::draw {
 
-/// Writes the background's part of the record; whether there is anything to be drawn. `on_device`: the picture's
-/// environment, where its panorama goes if that is seen. Throws Error(no_device).
+/// Writes the background's part of the record. Returns whether there is a background to draw. `on_device` is the
+/// picture's environment, whose panorama is uploaded if it is visible. Throws Error(no_device).
 bool describe_background(const vulkan::Device& device, const PreparedPicture& picture,
                          EnvironmentOnDevice& on_device, gpu_layout::PictureRecord& record);
 

@@ -1,4 +1,4 @@
-// Everything that stands at the bindings of the passes, and small readers of it.
+// The bindings of the passes, and small functions that read them.
 #extension GL_EXT_buffer_reference : require
 #extension GL_EXT_buffer_reference_uvec2 : require
 #include "shading/numbers.glsl"
@@ -8,7 +8,7 @@
 #include "equations/in_glsl.glsl"
 #include "equations/all.glsl"
 
-// Raster shaders say ONLY_READS: not every device lets them write.
+// Raster shaders define ONLY_READS, because not every device allows them to write.
 #ifdef ONLY_READS
 #define WRITTEN readonly
 #else
@@ -29,11 +29,11 @@ layout(std430, set = 0, binding = binding_codes) readonly buffer Codes { float c
 layout(std430, set = 0, binding = binding_places) readonly buffer Places { vec2 places[]; };
 layout(std430, set = 0, binding = binding_seen) WRITTEN buffer Seen { uvec4 seen[]; };
 layout(std430, set = 0, binding = binding_records) WRITTEN buffer Records { FragmentRecord records[]; };
-layout(std430, set = 0, binding = binding_spans) WRITTEN buffer Spans { uvec4 spans[]; }; // first, count; background's share
-layout(std430, set = 0, binding = binding_behind) WRITTEN buffer Behind { vec4 behind[]; }; // per look: distance, weight, extent
+layout(std430, set = 0, binding = binding_spans) WRITTEN buffer Spans { uvec4 spans[]; }; // first, count, background
+layout(std430, set = 0, binding = binding_behind) WRITTEN buffer Behind { vec4 behind[]; }; // distance, weight, extent
 layout(std430, set = 0, binding = binding_counters) WRITTEN buffer Counters { uint counters[]; };
 layout(std430, set = 0, binding = binding_listed) WRITTEN buffer Listed { uint listed[]; };
-layout(std430, set = 0, binding = binding_output) WRITTEN buffer Output { vec4 drawn[]; }; // per layer, per pixel of the tile
+layout(std430, set = 0, binding = binding_output) WRITTEN buffer Output { vec4 drawn[]; }; // [layer][pixel of the tile]
 layout(set = 0, binding = binding_chain) uniform samplerCube chain;
 layout(set = 0, binding = binding_irradiance) uniform samplerCube irradiance_map;
 layout(set = 0, binding = binding_mips) uniform sampler2D mips;
@@ -56,7 +56,7 @@ void store(Fragment f, int column, float v) { values[column_place(column, f.at)]
 
 #include "shading/passes/vectors.glsl"
 
-// Room for more fragments: where it begins, which may be beyond the last there is room for.
+// Reserves `count` fragments. Returns the index of the first, which may be beyond the capacity.
 uint add_fragments(uint count)
 {
     uint first = atomicAdd(counters[counter_fragments], count);
@@ -65,7 +65,7 @@ uint add_fragments(uint count)
     return first;
 }
 
-// The same for pixels that have to be looked at more closely.
+// The same for pixels listed for gather.comp.
 uint add_listed(uint count)
 {
     uint first = atomicAdd(counters[counter_listed], count);

@@ -19,7 +19,7 @@ constexpr std::uint32_t code[] =
 #include "vulkan/prefilter.comp.spv.inc"
     ;
 
-// A cell as the shader reads it.
+// A light cell in the layout that the shader reads.
 struct CellRecord {
     vec4 place, light;
 };
@@ -29,7 +29,7 @@ CellRecord record_of(const LightCell& cell, float area)
     return {{cell.x, cell.y, cell.z, cell.variance}, {cell.r, cell.g, cell.b, area}};
 }
 
-// A tree's cells, depth by depth, then the areas that have other middles than the light.
+// A tree's cells by depth, then the areas whose centroid differs from that of the light.
 struct TreeRecords {
     std::vector<CellRecord> cells;
     std::vector<ivec4> levels;
@@ -83,7 +83,7 @@ std::vector<vec4> bounds_of(const Prefilter& prefilter)
     return records;
 }
 
-// All tiles of all levels, and the rows of their lobes.
+// The texel tiles of all levels, and the bounds of rows of cells for their lobes.
 struct Work {
     std::vector<vec4> directions, bounds;
     std::vector<BakeConstants> constants;
@@ -107,7 +107,7 @@ struct Work {
     }
 };
 
-// Into the cube, without what fills tiles up.
+// Copies results to the cube, without the padding of tiles.
 void take(const std::vector<FaceTile>& tiles, const vec4* results, const PrefilteredFaces& faces)
 {
     const int size = faces.cube.face_size(faces.level);

@@ -1,4 +1,4 @@
-// Environments prefiltered on a Vulkan device.
+// Prefiltering of environments on a Vulkan device.
 #pragma once
 
 #include "draw/vulkan/vulkan_renderer.h"
@@ -12,7 +12,7 @@
 
 namespace lambent::draw {
 
-/// Does what environment::prefilter_faces does, of the same trees.
+/// Computes the same as environment::prefilter_faces, from the same trees.
 class DevicePrefilter {
 public:
     /// Throws as make_vulkan_renderer does.
@@ -25,10 +25,10 @@ public:
 
     const std::string& device() const { return device_.name(); }
 
-    /// Milliseconds on the device, of each call to fill() in turn.
+    /// Duration of each call to fill() on the device, milliseconds.
     const std::vector<double>& milliseconds() const { return milliseconds_; }
 
-    /// What the validation layer has said; empty is good.
+    /// The messages of the validation layer so far.
     std::vector<std::string> complaints() const { return instance_.validation_messages(); }
 
 private:

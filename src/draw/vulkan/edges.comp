@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Pixels that show one surface, or none, are one look through their middle; those where surfaces end are left to gather.comp.
+// Pixels without an edge take the look through their centre; pixels with an edge are listed for gather.comp.
 #include "draw/vulkan/bindings.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -23,7 +23,7 @@ bool same_surface(int a, int b)
            abs(dot(uintBitsToFloat(point_b.xyz) - uintBitsToFloat(point_a.xyz), normal)) < uintBitsToFloat(normal_a.w);
 }
 
-// Whether the surface in the middle of a pixel of the apron ends towards one of its neighbours.
+// Whether an edge lies between the centre of a pixel of the apron and that of a neighbour.
 bool is_edge(ivec2 at)
 {
     ivec2 first = max(at - 1, ivec2(0));
@@ -36,7 +36,7 @@ bool is_edge(ivec2 at)
     return false;
 }
 
-// Where the group's fragments and edges go: pixels of a group side by side.
+// The indices of this pixel's fragment and of its listed edge. Those of a workgroup are consecutive.
 uvec2 places_for(uvec2 own)
 {
     uint me = gl_LocalInvocationIndex;

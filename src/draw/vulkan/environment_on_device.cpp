@@ -26,7 +26,7 @@ TextureShape cube_shape(const CubeChain* cube)
     return shape;
 }
 
-// Null: none.
+// The mip chain of the panorama; null if there is none.
 const std::vector<Panorama>* mips_of(const LightContext& context)
 {
     return context.mip_chain && !context.mip_chain->empty() ? context.mip_chain : nullptr;
@@ -44,7 +44,7 @@ TextureShape mips_shape(const std::vector<Panorama>* mips)
     return shape;
 }
 
-// Copies through memory that the processor can write.
+// Uploads all levels of a texture. `fill` writes texels to a staging buffer that is zero before.
 template <class Fill>
 void upload(const Device& device, const Texture& texture, std::uint32_t texel_bytes, const Fill& fill)
 {
@@ -64,7 +64,7 @@ void upload(const Device& device, const Texture& texture, std::uint32_t texel_by
     commands.run();
 }
 
-// Without the border, which devices have of their own.
+// Copies a cube without its border: devices filter across the edges of cube maps by themselves.
 void fill_cube(const CubeChain& cube, std::byte* memory, const std::vector<LevelBytes>& levels)
 {
     for (const LevelBytes& part : levels) {
@@ -144,7 +144,7 @@ EnvironmentOnDevice& KeptEnvironment::of(const Device& device, const LightContex
     const std::uint64_t number = context.environment ? context.environment->identity.number() : 0;
     const bool mips = mips_of(context) != nullptr;
     if (!kept_ || number_ != number || (mips && !has_mips_)) {
-        kept_.reset(); // before there is another
+        kept_.reset(); // frees its memory before the next is made
         kept_.emplace(device, context);
         number_ = number;
         has_mips_ = mips;

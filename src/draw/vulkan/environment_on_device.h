@@ -1,4 +1,4 @@
-// An environment where a device can look it up.
+// An environment in the memory of a device.
 #pragma once
 
 #include "draw/light_context.h"
@@ -12,18 +12,18 @@
 
 namespace lambent::draw {
 
-/// Cubes of halfs with their mip levels, for specular and diffuse light; the panorama's own mip chain where the report's
-/// levels are wanted. Throws Error(no_device).
+/// Cube maps of half floats for specular light (with mip levels) and diffuse light, and the panorama's mip chain for
+/// MipLevel::report. Throws Error(no_device).
 class EnvironmentOnDevice {
 public:
-    /// The context's, with the report's chain if that is there. Darkness in textures of one texel.
+    /// Uploads the context's environment and mip chain, if set; else textures are one black texel.
     EnvironmentOnDevice(const vulkan::Device& device, const LightContext& context);
 
-    /// Puts what it holds where shaders look for it.
+    /// Sets the textures at their bindings.
     void offer(std::array<vulkan::Resource, gpu_layout::binding_count>& resources) const;
 
-    /// The picture itself, packed as here, to be read by address. Comes there when it is first wanted: device and panorama
-    /// are those of the start.
+    /// The panorama with its texels packed as in host memory, read by address. The first call uploads it: `device` and
+    /// `panorama` must be those of construction.
     const vulkan::Buffer& panorama(const vulkan::Device& device, const environment::Panorama& panorama);
 
 private:
@@ -32,16 +32,16 @@ private:
     std::optional<vulkan::Buffer> panorama_;
 };
 
-/// The environment of the last picture. It stays on the device: a large one has a hundred megabytes, the next picture
-/// mostly the same.
+/// Keeps the environment of the last picture on the device: it can take a hundred megabytes, and the next picture
+/// mostly has the same one.
 class KeptEnvironment {
 public:
-    /// As EnvironmentOnDevice's, always with the same device.
+    /// The context's environment, uploaded if it is another than the last. `device` must be the same in all calls.
     EnvironmentOnDevice& of(const vulkan::Device& device, const LightContext& context);
 
 private:
     std::optional<EnvironmentOnDevice> kept_;
-    std::uint64_t number_ = 0; ///< of its identity; 0: darkness
+    std::uint64_t number_ = 0; ///< Environment::identity of the one kept; 0: none
     bool has_mips_ = false;
 };
 

@@ -1,4 +1,4 @@
-// Buffers that are filled once.
+// Device buffers that are filled once, when they are made.
 #pragma once
 
 #include "vulkan/commands.h"
@@ -9,12 +9,12 @@
 
 namespace lambent::draw {
 
-/// In the device's own memory, holding a copy of the parts in a row; at least 64 bytes, as no buffer is empty.
-/// Throws Error(no_device).
+/// A buffer in the device's own memory with a copy of the parts, one after the other; at least 64 bytes, because
+/// buffers cannot be empty. Throws Error(no_device).
 vulkan::Buffer filled_buffer(const vulkan::Device& device, VkBufferUsageFlags usage,
                              std::span<const std::span<const std::byte>> parts);
 
-/// The same of one array of records, as a storage buffer.
+/// The same for one array of records, as a storage buffer.
 template <class Record>
 vulkan::Buffer filled_buffer(const vulkan::Device& device, const std::vector<Record>& records)
 {

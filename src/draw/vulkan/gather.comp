@@ -1,7 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Turns the looks of the listed pixels into fragments, one per surface and pixel, lit where the look nearest to the middle
-// of all its looks meets it. First those of edges, later those that go on behind what is transparent.
+// Turns the looks of the listed pixels into fragments, one per surface and pixel. A surface is shaded at the one of its
+// looks that is nearest to their mean position. Wave 0 takes looks at edges, later waves those behind transparent
+// surfaces.
 #include "draw/vulkan/bindings.glsl"
 #include "draw/vulkan/geometry.glsl"
 
@@ -9,18 +10,18 @@ layout(local_size_x = group_size_of_looks) in;
 layout(constant_id = constant_looks) const int looks = 1;
 layout(constant_id = constant_wave) const int wave = 0;
 
-// Of each look.
+// For each look.
 uvec2 id[looks];
 vec3 front[looks];
-bool faces[looks]; // its front
+bool faces[looks]; // whether it sees the front face
 float weight[looks];
 int owner[looks]; // the first look at the same surface; -1: none
-// Of each surface, at its first look.
+// For each surface, at the index of its first look.
 float sum[looks];
 vec2 mean[looks];
 int best[looks];
 
-// The share of the pixel that a look stands for; below 0: it is not drawn.
+// The share of the pixel that a look represents; negative if the look is not drawn.
 float share_of(int look, uint pixel)
 {
     if (wave == 0)
@@ -34,7 +35,8 @@ float extent_of(int look, uint pixel)
     return wave == 0 ? picture.edges.z : behind[pixel * uint(looks) + uint(look)].z;
 }
 
-// Looks again at everything before: rarely more than five.
+// The first look at the same surface, by linear search, as there are rarely more than five looks. A new surface needs a
+// positive weight; else -1.
 int first_alike(int look)
 {
     for (int before = 0; before < look; ++before)
@@ -62,7 +64,7 @@ void see(int look, ivec2 pixel)
     mean[at] += weight[look] * places[look];
 }
 
-// Returns how many surfaces there are; the share that shows none is added to the background's.
+// Returns the number of surfaces; adds the share of the pixel without a surface to `background`.
 uint look_at_pixel(uint index, ivec2 pixel, inout float background)
 {
     uint surfaces = 0u;
@@ -98,7 +100,8 @@ void main()
     uint first = surfaces > 0u ? add_fragments(surfaces) : 0u;
     bool fits = first + surfaces <= uint(picture.fragments.x);
     spans[index] = uvec4(first, fits ? surfaces : 0u, floatBitsToUint(background), 0u);
-    // Those that half fit are written as far as there is room: they are shaded before all is drawn again in parts.
+    // A pixel that fits only in part is written up to the capacity: its fragments are shaded before the tile is drawn
+    // again in parts.
     for (int look = 0; look < looks && first < uint(picture.fragments.x); ++look) {
         if (owner[look] != look)
             continue;

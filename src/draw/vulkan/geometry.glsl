@@ -1,4 +1,4 @@
-// A scene's triangles and rays of sight. Included after bindings.glsl.
+// A scene's triangles, and camera rays. Included after bindings.glsl.
 #include "shading/points.glsl"
 
 float word(uint at) { return uintBitsToFloat(Words(picture.addresses.xy).words[at]); }
@@ -44,7 +44,7 @@ SightRay sight_through(vec2 place)
                     picture.direction_dx.xyz, picture.direction_dy.xyz);
 }
 
-// The unit normal of a triangle's front, whatever its size.
+// The unit normal of a triangle's front face, accurate for all sizes of triangles.
 vec3 front_of(Triangle t, uint instance)
 {
     float unit = 1.0 / clamp(max(largest_part(t.edge1), largest_part(t.edge2)), 1.0e-30, 1.0e30);

@@ -5,7 +5,7 @@ struct Environment {
     int lamps;
 };
 
-int has_stretch() { return 0; } // no parameter of a material stretches its facets
+int has_stretch() { return 0; } // materials have no anisotropy
 
 struct LightSum {
     vec3 first;
@@ -41,7 +41,7 @@ float compensation_of(Environment e) { return picture.rotation.w; }
 float ambient_brightness(Environment e) { return picture.rotation.z; }
 ReportTone report_tone(Environment e) { return ReportTone(picture.report.x, picture.report.y, picture.report.z, picture.report.w); }
 
-// A direction of the world, in the environment's own frame.
+// A world direction in the environment's own frame.
 vec3 turned(Environment e, vec3 d)
 {
     float c = picture.rotation.x;
@@ -53,7 +53,7 @@ vec3 environment_irradiance(Environment e, vec3 d) { return picture.maps.x * tex
 
 int background_of(Environment e) { return picture.behind.x; }
 
-// A texel of the panorama before its scale; rows beyond a pole go on across it.
+// A texel of the panorama before scaling; rows beyond a pole continue on its other side.
 vec3 panorama_texel(int x, int y)
 {
     int width = picture.behind.y;
@@ -81,7 +81,7 @@ float share_of_level(Environment e, int level) { return picture.blur[2 * level];
 float variance_of_level(Environment e, int level) { return picture.blur[2 * level + 1]; }
 int is_without_lamps(Environment e, int level) { return share_of_level(e, level) > 0.0 ? 1 : 0; }
 
-// A texel of a level; rows may be one beyond either pole: there the picture goes on across it, which no sampler does.
+// A texel of a mip level. A row beyond a pole continues on its other side, which samplers cannot do.
 vec3 mip_texel(int x, int y, ivec2 size, int level)
 {
     bool beyond = y < 0 || y >= size.y;
@@ -91,7 +91,7 @@ vec3 mip_texel(int x, int y, ivec2 size, int level)
 
 vec3 mip_bilinear(vec2 uv, int level)
 {
-    // Not of the level itself: some drivers give all lanes the size of the first one's.
+    // Computed from level 0: if the level differs between lanes, some drivers return the size for the first lane only.
     ivec2 size = max(textureSize(mips, 0) >> level, ivec2(1));
     vec2 place = uv * vec2(size) - 0.5;
     ivec2 at = ivec2(floor(place));

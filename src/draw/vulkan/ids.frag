@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Which triangle of which instance a look sees; in later waves only what lies behind what was seen before.
+// Writes the instance and the triangle that a look sees; in later waves, of those behind the surface seen before.
 #define ONLY_READS
 #include "draw/vulkan/bindings.glsl"
 #include "draw/vulkan/geometry.glsl"

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Triangles, where the rays of sight of a tile's looks meet them.
+// Projects triangles by the camera rays of one look per pixel of a tile.
 #define ONLY_READS
 #include "draw/vulkan/bindings.glsl"
 

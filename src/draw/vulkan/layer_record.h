@@ -1,4 +1,4 @@
-// How the shaders know a picture's layers: each as a column of the fragments and how it is read.
+// A picture's layers in the record for shaders: the column of each, and how it is read.
 #pragma once
 
 #include "draw/layer_list.h"
@@ -8,12 +8,11 @@
 
 namespace lambent::draw {
 
-/// Lists these layers and, last, the background in the record, and counts them in its samples.z, which was 0. Throws
-/// Error(no_device), before anything is written, where the record has no room for all of them or the device does not keep
-/// what one of them shows.
+/// Appends these layers and then that of the background to the record, and counts them in samples.z, which must be 0
+/// before. Throws Error(no_device), before it writes anything, if the layers exceed gpu_layout::most_layers.
 void list_layers(std::span<const LayerSource> sources, gpu_layout::PictureRecord& record);
 
-/// Lists after them what is shown without lighting. Throws likewise.
+/// Appends the layer of unlit surfaces. Throws Error(no_device) if the record is full.
 void list_unlit(gpu_layout::PictureRecord& record);
 
 } // namespace lambent::draw

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// One pass of light over fragments: which, and by which model, is compiled in.
+// One light pass over fragments; pass and model are specialisation constants.
 #include "draw/vulkan/bindings.glsl"
 #include "draw/vulkan/hooks.glsl"
 
@@ -30,7 +30,7 @@ shared vec3 group_low;
 shared vec3 group_high;
 shared uint reaching[lights_at_once / 32]; // a bit per light
 
-// The box around the points of a group; points that are not there repeat one that is.
+// The bounding box of the points of a workgroup. Invocations beyond the last fragment repeat its point.
 void find_box(vec3 point)
 {
     uint me = gl_LocalInvocationID.x;
@@ -47,14 +47,14 @@ void find_box(vec3 point)
     barrier();
 }
 
-// Whether a light's range does not end before the box.
+// Whether a light's range reaches the box.
 bool reaches(LightRecord light)
 {
     vec3 way = light.position_local.xyz - clamp(light.position_local.xyz, group_low, group_high);
     return light.outer.y < 0.0 || dot(way, way) <= 1.0001 * light.outer.y;
 }
 
-// Marks those of the lights from `first` on that can matter to the group.
+// Marks those of the lights from `first` on that can reach the workgroup.
 void find_lights(int first)
 {
     int me = int(gl_LocalInvocationID.x);
@@ -67,7 +67,7 @@ void find_lights(int first)
     barrier();
 }
 
-// For all of a group together: lights out of reach of all of them are passed over.
+// All invocations of a workgroup take part: lights that reach none of their points are skipped.
 void add_direct(Environment e, uint at, bool lit)
 {
     Fragment f = Fragment(min(at, fragment_count() - 1u));

@@ -1,4 +1,4 @@
-// Work on a graphics device where there is one, and what else to do where there is none.
+// Objects that are made on a graphics device, if there is one.
 #pragma once
 
 #include "vulkan/api.h"
@@ -9,8 +9,8 @@
 
 namespace lambent::draw {
 
-/// What `make` makes, a pointer; null where there is no hardware to make it on, and, after `warn` was told why, where the
-/// hardware fails.
+/// Returns the pointer that `make` returns; null if there is no graphics hardware. If the hardware fails
+/// (Error(no_device)), passes the message to `warn` and returns null. Other exceptions are passed on.
 template <class Make>
 auto on_hardware(const Make& make, const std::function<void(const std::string&)>& warn) -> decltype(make())
 {

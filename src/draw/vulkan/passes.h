@@ -1,4 +1,4 @@
-// The passes' shaders, compiled for a device.
+// The shaders of the passes, compiled for a device.
 #pragma once
 
 #include "draw/settings.h"
@@ -8,15 +8,15 @@
 
 namespace lambent::draw {
 
-/// What shaders are compiled for.
+/// The specialisation of the shaders.
 struct PassChoice {
-    int looks = 1; ///< per pixel, the one through its middle being the last
+    int looks = 1; ///< per pixel; the last is through its centre
     Model model = Model::ggx;
     MipLevel mip_level = MipLevel::matched;
-    bool is_pipeline = false; ///< of the report
-    bool textured = true;     ///< whether anything is
-    bool layered = true;      ///< whether there are lobes over anything's base
-    bool through = true;      ///< whether anything can be seen through
+    bool is_pipeline = false; ///< whether the report's pipeline is used
+    bool textured = true;     ///< whether any material has textures
+    bool layered = true;      ///< whether any material has lobes over its base
+    bool through = true;      ///< whether any surface is transparent
 
     bool operator==(const PassChoice&) const = default;
 };
@@ -26,7 +26,7 @@ std::unique_ptr<vulkan::ShaderLayout> pass_layout(const vulkan::Device& device);
 
 constexpr VkFormat id_format = VK_FORMAT_R32G32_UINT, depth_format = VK_FORMAT_D32_SFLOAT;
 
-/// Each compiled when it is first asked for. All throw Error(no_device).
+/// The pipelines of the passes, each compiled on first use. All members throw Error(no_device).
 class Passes {
 public:
     /// The cache and the layout must outlive it.
@@ -34,7 +34,7 @@ public:
 
     const PassChoice& choice() const { return choice_; }
 
-    // `wave`: 0 for what is seen first, 1 for what is behind it.
+    /// `wave`: 0 for the nearest surfaces, 1 for those behind transparent ones.
     const vulkan::RasterPipeline& triangles(int wave);
     const vulkan::ComputePipeline& seen();
     const vulkan::ComputePipeline& edges();

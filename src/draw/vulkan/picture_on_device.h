@@ -1,4 +1,4 @@
-// What all fragments of a picture share, where a device can read it.
+// Data shared by all fragments of a picture, in the memory of a device.
 #pragma once
 
 #include "draw/prepared_picture.h"
@@ -11,17 +11,17 @@
 
 namespace lambent::draw {
 
-/// Lights and tables of points. Throws Error(no_device).
+/// Lights, lamps, sample tables and the albedo table. Throws Error(no_device).
 class PictureOnDevice {
 public:
-    /// The device must outlive it. Nothing is kept of the others.
+    /// The device must outlive this; the other arguments are copied.
     PictureOnDevice(const vulkan::Device& device, const LightContext& context,
                     std::span<const LightSource> lights);
 
-    /// Puts what it holds where shaders look for it.
+    /// Sets the buffers at their bindings.
     void offer(std::array<vulkan::Resource, gpu_layout::binding_count>& resources) const;
 
-    /// What light depends on; rays, tile and background are left to the caller.
+    /// The record with the inputs of the light passes; the caller adds rays, tile, background and layers.
     const gpu_layout::PictureRecord& record() const { return record_; }
 
 private:

@@ -14,7 +14,7 @@ namespace {
 using namespace gpu_layout;
 using vulkan::Commands, vulkan::Groups;
 
-// The last one is what is shown without lighting, if anything is.
+// The layer of unlit surfaces, if there are any, comes last.
 void describe_layers(const Settings& settings, bool has_unlit, PictureRecord& record)
 {
     if (settings.layers)
@@ -39,7 +39,7 @@ std::span<const std::byte> bytes_of(const Record& record)
     return std::as_bytes(std::span(&record, 1));
 }
 
-// Groups of 8x8 pixels.
+// Workgroups of 8x8 pixels.
 Groups blocks(const ivec4& area)
 {
     return {static_cast<std::uint32_t>(area.z + 7) / 8, static_cast<std::uint32_t>(area.w + 7) / 8, 1};
@@ -99,7 +99,7 @@ vulkan::BindingSet PicturePasses::bind() const
     return {tools_.device, tools_.layout, resources};
 }
 
-// The tile and the pixels of the picture around it, whose surfaces say where those of the tile end.
+// Sets the tile and its apron, which includes the pixels around it that edge detection reads.
 void PicturePasses::describe(const PictureArea& area)
 {
     const Settings& settings = prepared_.settings;
@@ -156,7 +156,7 @@ void PicturePasses::count_anew(Commands& commands, int first) const
                    static_cast<VkDeviceSize>(first) * sizeof(uint));
 }
 
-// From what the looks see to fragments.
+// Makes fragments of the surfaces that the looks see.
 void PicturePasses::find_fragments(int wave, Commands& commands)
 {
     Passes& passes = tools_.passes;
@@ -218,7 +218,7 @@ void PicturePasses::run(Commands& commands)
         add_lap(lap, times_);
 }
 
-// Whether the tile's fragments had room.
+// Returns whether the tile's fragments fitted in their buffers.
 bool PicturePasses::draw_tile(const PictureArea& area)
 {
     describe(area);

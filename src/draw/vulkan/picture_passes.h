@@ -15,39 +15,39 @@
 
 namespace lambent::draw {
 
-/// What pictures are drawn with.
+/// The objects on a device that a picture is drawn with.
 struct DeviceTools {
     const vulkan::Device& device;
     const vulkan::ShaderLayout& layout;
     const SceneOnDevice& scene;
     const TileOnDevice& tile;
-    EnvironmentOnDevice& environment; ///< the picture's
+    EnvironmentOnDevice& environment; ///< of the picture
     Passes& passes;
 };
 
-/// A part of a picture, pixels.
+/// A rectangle of a picture, in pixels.
 struct PictureArea {
     int x = 0, y = 0, width = 0, height = 0;
 };
 
-/// The looks of a pixel: those of edges, if there are several, and the one through its middle.
+/// The positions of the looks in a pixel: those for edges, if there are several, and then the centre.
 std::vector<glm::vec2> look_places(const Edges& edges);
 
-/// A pass and the milliseconds that it took on the device.
+/// The name of a pass and its duration on the device in milliseconds.
 using Lap = std::pair<std::string, double>;
 
-/// Adds it to its pass in the list; one that is new comes last.
+/// Adds the duration to that of the same pass in the list; appends a pass that is new.
 void add_lap(const Lap& lap, std::vector<Lap>& laps);
 
 class PicturePasses {
 public:
-    /// Everything must outlive it; `bounds`: of the scene. Throws Error(no_device).
+    /// The members of `tools`, and the picture, must outlive this. `bounds` are the scene's. Throws Error(no_device).
     PicturePasses(const DeviceTools& tools, const PreparedPicture& picture, const scene::Bounds& bounds);
 
-    /// Draws into the frame; the area is at most as large as the tile. Throws Error(no_device).
+    /// Draws the area, at most as large as the tile, into the frame. Throws Error(no_device).
     void draw(const PictureArea& area, Frame& frame);
 
-    /// Of all tiles so far.
+    /// The durations of the passes, summed over all tiles so far.
     const std::vector<Lap>& times() const { return times_; }
 
 private:

@@ -1,7 +1,7 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
-// The mean over a lobe of the light in a tree of cells, for the 64 directions of a tile: what environment/prefilter.cpp
-// does, by one group together.
+// The mean over a lobe of the light in a tree of cells, for the 64 directions of a tile: the computation of
+// environment/bake/prefilter.cpp, by one workgroup.
 #include "gpu_layout/bake.glsl"
 #include "equations/in_glsl.glsl"
 #include "equations/all.glsl"
@@ -15,22 +15,22 @@ layout(std430, set = 0, binding = bake_levels) readonly buffer Levels { ivec4 le
 layout(std430, set = 0, binding = bake_directions) readonly buffer Directions { vec4 directions[]; };
 layout(std430, set = 0, binding = bake_results) writeonly buffer Results { vec4 results[]; };
 
-// Cells yet to be looked at: depth, row and column. Of each depth at most 64 are taken at a time, which leaves at most
-// 256 of the next: eight depths (a top of 32 columns below 4096) fill 2048.
+// A stack of cells to visit, coded as depth, row and column. Of each depth at most 64 are taken at a time, which push
+// at most 256 of the next: eight depths (from 4096 columns to the 32 of the top) fill 2048.
 const int room = 2112;
 const uint none = 0xffffffffu;
 shared uint waiting[room];
 shared int waiting_count;
 
-// What a round found: up to two cells per thread, one for light and one for area.
+// The cells found in a round: up to two per invocation, one for light and one for area.
 shared vec4 found_place[128];
 shared vec4 found_light[128];
 shared uint found[4];  // bits
 shared uint bright[4];
-shared uint opened[2]; // bits: threads whose cell was too coarse
+shared uint opened[2]; // bits: invocations whose cell was too coarse
 
 shared vec4 points[64];
-shared vec4 cap; // the tile's middle, and its radius as a chord
+shared vec4 cap; // the tile's mean direction, and its radius as the length of a chord
 
 uint coded(int depth, int row, int column) { return uint(depth) << 26 | uint(row) << 13 | uint(column); }
 
@@ -54,7 +54,7 @@ void find_cap(vec3 direction)
 
 bool beyond(float square, float chord) { return chord < 0.0 || square > chord * chord; }
 
-// 0: sees nothing of the cap; 1: fine enough; 2: too coarse.
+// Returns 0 for a cell below the horizon of the whole cap, 1 for one that is fine enough, 2 for one that is too coarse.
 int judge(int depth, int row, vec4 place, vec4 light)
 {
     const float horizon = 1.4142135623730951;
@@ -79,7 +79,7 @@ void put(uint slot, vec4 place, vec4 light, bool is_bright)
         atomicOr(bright[slot / 32u], 1u << (slot % 32u));
 }
 
-// A cell that is fine enough, and if it has none of its own its area.
+// Adds a cell that is fine enough and, if its area is a cell of its own (light.w < 0), that one too.
 void take(vec4 place, vec4 light)
 {
     uint slot = 2u * gl_LocalInvocationID.x;
@@ -97,7 +97,7 @@ void take(vec4 place, vec4 light)
         put(slot + 1u, area_place, vec4(vec3(0.0), area), is_bright);
 }
 
-// The four parts of a coarse cell, side by side with those of other threads.
+// Pushes the four children of a coarse cell, next to those of other invocations.
 void open(int depth, int row, int column, int bottom)
 {
     uint me = gl_LocalInvocationID.x;
@@ -111,7 +111,7 @@ void open(int depth, int row, int column, int bottom)
     }
 }
 
-// One round: takes 64 cells that wait, finds what of them is to be summed, and lets the parts of others wait.
+// One round: pops up to 64 cells, finds those to be summed, and pushes the children of those that are too coarse.
 void look_at_cells()
 {
     uint me = gl_LocalInvocationID.x;
@@ -155,7 +155,7 @@ void add_found(vec3 direction, inout LobeSum dim, inout LobeSum bright_sum)
             vec4 place = found_place[32 * i + bit];
             vec4 light = found_light[32 * i + bit];
             vec3 way = direction - place.xyz;
-            float versine = 0.5 * dot(way, way); // from the chord: exact where the lobe is narrow
+            float versine = 0.5 * dot(way, way); // from the chord, accurate for narrow lobes
             float c = 1.0 - versine;
             LobeWeight weight = lobe == bake_lobe_phong ? lobe_weight_phong(c, versine, bake.lobe.x)
                                                         : lobe_weight_ggx(c, versine, bake.lobe.x);

@@ -11,7 +11,7 @@
 namespace lambent::draw {
 namespace {
 
-// A point P seen through the place (x, y) at the distance t, as rows over (P - origin, 1).
+// Rows over (P - origin, 1) for a point P that is seen through the position (x, y) at the distance t.
 struct Seen {
     glm::dvec4 t, tx, ty; // perspective: t, t x, t y; orthographic: t, x, y
 };
@@ -45,8 +45,8 @@ double furthest(const glm::dvec4& t, const glm::dvec3& origin, const scene::Boun
 
 constexpr glm::dvec4 one(0.0, 0.0, 0.0, 1.0);
 
-// 1 at `near` and 0 at `far`, times t: near / t where nothing is further away, whose steps are as fine far away as they are
-// near.
+// Depth times t; depth is 1 at `near` and 0 at `far`. If nothing lies beyond `far`, depth is near / t, whose relative
+// precision is the same at all distances.
 glm::dvec4 perspective_depth(const glm::dvec4& t, double near, double far, double most)
 {
     return far < most ? near / (far - near) * (far * one - t) : near * one;
@@ -57,7 +57,7 @@ glm::dvec4 flat_depth(const glm::dvec4& t, double near, double far)
     return far / (far - near) * one - t / (far - near);
 }
 
-// One axis: the window's places from -1 to 1, times w.
+// One axis of clip space: positions in the window, mapped to [-1, 1], times w.
 gpu_layout::vec4 across(const glm::dvec4& place, const glm::dvec4& w, double first, int size)
 {
     return gpu_layout::vec4((2.0 / size) * (place - first * w) - w);

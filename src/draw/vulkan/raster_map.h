@@ -1,4 +1,4 @@
-// Rays of sight as a projection, for rasterising what they see.
+// Camera rays as a projection for the rasteriser.
 #pragma once
 
 #include "draw/settings.h"
@@ -13,11 +13,12 @@ namespace lambent::draw {
 
 struct RasterWindow {
     int x = 0, y = 0, width = 1, height = 1; ///< pixels of the picture
-    glm::vec2 place{0.5f};                   ///< that is looked at in every pixel
+    glm::vec2 place{0.5f};                   ///< of the look in each pixel, [0, 1)
 };
 
-/// Clip coordinates by the world's, relative to the origin of the rays: the place of a window's pixel (i, j) in the middle
-/// of that of the target, depth 1 near and 0 far. None where the rays fill no volume; `bounds`: of all that is seen.
+/// The matrix from world space, relative to the origin of the rays, to clip space. It projects the look of the
+/// window's pixel (i, j) to the centre of the target's pixel (i, j); depth is 1 at the near end and 0 at the far end.
+/// Returns nothing where the rays span no volume or the scene lies behind them. `bounds` encloses everything visible.
 std::optional<gpu_layout::RasterConstants> raster_map(const RayMap& rays, const RasterWindow& window,
                                                       const scene::Bounds& bounds);
 

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Puts the light of a pixel's surfaces together, and sets out what goes on behind those that are transparent.
+// Sums the light of a pixel's surfaces, and lists the looks that continue behind transparent ones.
 #include "draw/vulkan/bindings.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -8,9 +8,9 @@ layout(constant_id = constant_looks) const int looks = 1;
 layout(constant_id = constant_wave) const int wave = 0;
 layout(constant_id = constant_through) const int through = 1;
 
-const float least_weight = 1.0 / 1024.0; // as draw/prepared_picture.h says
+const float least_weight = 1.0 / 1024.0; // the same as in draw/prepared_picture.h
 
-// The share of a surface that is seen, 0 to 1.
+// The opaque share of a surface, 0 to 1.
 float shown(uint instance, float opacity)
 {
     return materials[instances[instance].ids.y].kind.x == alpha_opaque ? 1.0 : clamp(opacity, 0.0, 1.0);
@@ -39,7 +39,7 @@ void go_on_behind(FragmentRecord record, uint at, float left)
     behind[look] = vec4(load(Fragment(at), column_depth) / unit, left, record.place.w, 0.0);
 }
 
-// What goes on behind the surfaces from span.x on.
+// Stores the looks that continue behind the surfaces of the span, and lists the pixel if there are any.
 void look_behind(uint pixel, uvec4 span)
 {
     bool goes_on = false;
@@ -53,12 +53,12 @@ void look_behind(uint pixel, uvec4 span)
             goes_on = true;
         }
     }
-    spans[pixel].y = 0u; // seen; the next wave may find more
+    spans[pixel].y = 0u; // these are summed; the next wave may find more
     if (goes_on)
         listed[add_listed(1u)] = pixel;
 }
 
-// The sum of a pixel's surfaces in the picture, layer -1, or in a layer.
+// The sum of a pixel's surfaces in a layer, or in the picture (layer -1).
 vec4 drawn_light(int layer, uvec4 span)
 {
     vec4 sum = vec4(0.0);

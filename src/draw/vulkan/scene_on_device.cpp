@@ -19,7 +19,7 @@ using Bytes = std::span<const std::byte>;
 
 constexpr VkBufferUsageFlags by_address = VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT;
 
-// Arrays put one after the other, and where each begins.
+// Arrays stored one after the other as words of 32 bits; add() returns the offset of an array.
 class Words {
 public:
     template <class Record>
@@ -31,7 +31,7 @@ public:
         parts_.push_back(std::as_bytes(std::span(records)));
         size_ += parts_.back().size() / sizeof(uint);
         if (size_ > std::numeric_limits<std::int32_t>::max())
-            throw Error(Failure::no_device, "the scene's triangles are too many for the device");
+            throw Error(Failure::no_device, "the scene's geometry exceeds the 8 GiB that a device can draw");
         return static_cast<uint>(place);
     }
     std::span<const Bytes> parts() const { return parts_; }
@@ -46,7 +46,7 @@ bool mirrors(const scene::Instance& instance)
     return glm::determinant(glm::mat3(instance.transform)) < 0.0f;
 }
 
-// Row i of a matrix that glm keeps by columns.
+// Row i of a matrix, which glm stores by columns.
 vec4 row(const glm::mat4& m, int i)
 {
     return {m[0][i], m[1][i], m[2][i], m[3][i]};
@@ -116,14 +116,14 @@ void SceneOnDevice::pose(const vulkan::Device& device, const scene::Scene& posed
 {
     for (std::optional<vulkan::Buffer>* buffer :
          {&geometry_, &positions_, &indices_, &instances_, &meshes_, &draws_})
-        buffer->reset(); // before the next take memory
+        buffer->reset(); // frees their memory before the next are made
     batches_.clear();
     transparent_ = false;
     place_instances(device, posed, place_geometry(device, posed));
     plan_draws(device, posed);
 }
 
-// Positions once more by themselves: the vertices of the raster passes.
+// Positions and indices are also stored in buffers of their own, for the rasteriser.
 SceneOnDevice::SetPlaces SceneOnDevice::place_geometry(const vulkan::Device& device,
                                                        const scene::Scene& scene)
 {
@@ -221,7 +221,7 @@ void SceneOnDevice::place_textures(const vulkan::Device& device, const SceneText
     codes_.emplace(filled_buffer(device, codes));
 }
 
-// One draw per instance, in batches of one way to cull each.
+// One draw per instance, in one batch per culling mode.
 void SceneOnDevice::plan_draws(const vulkan::Device& device, const scene::Scene& scene)
 {
     std::vector<VkDrawIndexedIndirectCommand> of_mesh;
@@ -233,7 +233,7 @@ void SceneOnDevice::plan_draws(const vulkan::Device& device, const scene::Scene&
         next.vertexOffset += static_cast<std::int32_t>(mesh.positions.size());
     }
     std::array<std::vector<VkDrawIndexedIndirectCommand>, 3>
-        draws; // all sides; fronts; fronts of mirrored ones
+        draws; // both sides; front faces; front faces of mirrored instances
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const scene::Instance& instance = scene.instances[i];
         const scene::Material& material = scene.materials[scene::material_of(scene, instance)];

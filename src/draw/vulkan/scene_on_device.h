@@ -1,4 +1,4 @@
-// A scene where a device can draw it.
+// A scene in the memory of a device.
 #pragma once
 
 #include "draw/textures/scene_textures.h"
@@ -11,16 +11,16 @@
 
 namespace lambent::draw {
 
-/// Triangles, materials and textures, and the draws that show them all. Throws Error(no_device).
+/// Triangles, materials, textures and draw commands of a scene. Throws Error(no_device).
 class SceneOnDevice {
 public:
-    /// `posed` is the scene or it at another moment, whose images are not looked at. The device must outlive it; the
-    /// scenes need not. `transfer`: of colours.
+    /// `posed` is `scene` or the same scene at another time; its images are not read. The device must outlive this; the
+    /// scenes need not. `transfer` is that of colour textures.
     SceneOnDevice(const vulkan::Device& device, const scene::Scene& scene, const scene::Scene& posed,
                   TexelTransfer transfer);
 
-    /// Goes on to another moment; materials and textures stay. Nothing may be drawing. Throws Error(no_device), and
-    /// must then be posed again before it is drawn.
+    /// Changes to another time; materials and textures are kept. No drawing may be in progress. Throws
+    /// Error(no_device); then another pose() has to succeed before drawing.
     void pose(const vulkan::Device& device, const scene::Scene& posed);
 
     const vulkan::Buffer& geometry() const { return *geometry_; } ///< words, read by address
@@ -32,20 +32,20 @@ public:
     const vulkan::Buffer& textures() const { return *textures_; }
     const vulkan::Buffer& codes() const { return *codes_; }
 
-    /// What is drawn with backs and what without.
+    /// The draw commands, grouped by culling mode.
     const std::vector<vulkan::DrawBatch>& batches() const { return batches_; }
 
-    /// Whether anything is shown without lighting.
+    /// Whether any material is unlit.
     bool has_unlit() const { return has_unlit_; }
 
-    /// Whether it has materials with lobes over their base.
+    /// Whether any material has lobes over its base.
     bool has_layers() const { return has_layers_; }
 
-    /// Whether something is behind other things and seen.
+    /// Whether any material lets surfaces behind it be seen.
     bool transparent() const { return transparent_; }
 
 private:
-    /// Of each mesh, where each of its sets of texture coordinates begins in the geometry.
+    /// For each mesh: the offset in geometry(), in words, of each set of texture coordinates.
     using SetPlaces = std::vector<std::map<int, gpu_layout::uint>>;
 
     SetPlaces place_geometry(const vulkan::Device& device, const scene::Scene& scene);

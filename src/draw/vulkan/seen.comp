@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// What the middle of a pixel shows, to tell where surfaces end.
+// The surface at the centre of each pixel, for edge detection.
 #include "draw/vulkan/bindings.glsl"
 #include "draw/vulkan/geometry.glsl"
 

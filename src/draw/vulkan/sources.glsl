@@ -1,6 +1,6 @@
-// The hooks of src/shading/README.md that find surfaces, on a device. Included after geometry.glsl and textures.glsl.
+// The hooks of src/shading/README.md for the surface pass, on a device. Included after geometry.glsl and textures.glsl.
 
-// A triangle's corners in its mesh, and the place in the picture that shows it.
+// A triangle's corners in its mesh, and the position in the picture where it is seen.
 struct Source {
     uint instance;
     uint material;
@@ -65,8 +65,8 @@ TexturePoint texture_point(Source s, UseRecord use, uint set, Barycentric at)
                         transformed(use, at.b_dx * b + at.c_dx * c), transformed(use, at.b_dy * b + at.c_dy * c));
 }
 
-// 1 where the material has none; of masks, alpha is the share that is there. One loop over those that it has: compilers take
-// their time over them, and some devices run all of a branch that nobody takes.
+// 1 for textures that the material lacks; for masks, alpha is the opaque share. One loop over the material's textures,
+// because unrolled reads are slow to compile, and some devices run a branch that no lane takes.
 Texels texels_of(Source s, Barycentric at, Texel vertex)
 {
     uint material = s.material;

@@ -1,6 +1,6 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// From fragments' triangles to their surfaces: position, normals, material.
+// The surface pass: position, normals and material of each fragment, from its triangle.
 #include "draw/vulkan/bindings.glsl"
 #include "draw/vulkan/geometry.glsl"
 #include "draw/vulkan/textures.glsl"

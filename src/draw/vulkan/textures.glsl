@@ -1,6 +1,6 @@
 // Reading packed textures. Included after geometry.glsl.
 
-// A texel of 8-bit codes or of half floats, linear.
+// A texel as linear values, from 8-bit codes or half floats.
 vec4 texel_of(TextureRecord t, uint texel)
 {
     Words words = Words(t.place.xy);
@@ -12,7 +12,7 @@ vec4 texel_of(TextureRecord t, uint texel)
                 code_light[table + ((codes >> 16) & 255u)], float(codes >> 24) / 255.0);
 }
 
-// Every level has a border of one texel: any two texels lie side by side.
+// The bilinear value in a level. A border of one texel makes all neighbours adjacent in memory.
 vec4 level_at(TextureRecord t, vec2 uv, int level)
 {
     ivec4 shape = t.levels[level];
@@ -32,7 +32,7 @@ float wrapped(float x, int wrap)
     return wrap == wrap_clamp ? clamp(x, 0.0, 1.0) : repeated_mirrored(x);
 }
 
-// A place in a level, in the middle of the nearest texel where that is asked for; brought to [0, 1].
+// Coordinates in a level, snapped to the centre of the nearest texel if `nearest` is set, and wrapped to [0, 1].
 vec2 placed(TextureRecord t, vec2 uv, int level, bool nearest)
 {
     if (nearest)
@@ -40,7 +40,7 @@ vec2 placed(TextureRecord t, vec2 uv, int level, bool nearest)
     return vec2(wrapped(uv.x, t.reading.x), wrapped(uv.y, t.reading.y));
 }
 
-// What the alpha of a mask's texels is held against: they are there where alpha * vertex * factor reaches the cutoff.
+// The alpha test of a mask: a texel is opaque where alpha * vertex * factor >= cutoff.
 struct MaskCut {
     bool used;
     float vertex;
@@ -50,8 +50,8 @@ struct MaskCut {
 
 float there(MaskCut mask, float alpha) { return alpha * mask.vertex * mask.factor >= mask.cutoff ? 1.0 : 0.0; }
 
-// The finest level's own alpha is held against the cutoff; what coarser ones have is the share that is there, of texels that
-// could be.
+// Alpha of the finest level is tested against the cutoff. Coarser levels hold the opaque share, which counts where a
+// texel with alpha 1 would pass.
 vec4 masked_level_at(TextureRecord t, vec2 uv, int level, MaskCut mask)
 {
     vec4 texel = level_at(t, uv, level);
@@ -60,7 +60,7 @@ vec4 masked_level_at(TextureRecord t, vec2 uv, int level, MaskCut mask)
     return texel;
 }
 
-// Of a mask's, alpha is the share that is there.
+// Reads a texture, filtered over the pixel's footprint. For masks, alpha is the opaque share.
 vec4 read_texture(int index, TexturePoint p, MaskCut mask)
 {
     TextureRecord t = textures[index];

@@ -12,7 +12,7 @@ using vulkan::MemoryKind, vulkan::TextureShape;
 constexpr VkBufferUsageFlags storage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
                              to = VK_BUFFER_USAGE_TRANSFER_DST_BIT, from = VK_BUFFER_USAGE_TRANSFER_SRC_BIT;
 
-// A tile with the pixels around it.
+// The shape of a render target for a tile with its apron.
 TextureShape target(const TileShape& tile, VkFormat format, std::uint32_t layers, VkImageUsageFlags usage)
 {
     TextureShape shape;
@@ -34,14 +34,14 @@ std::size_t output_bytes(const TileShape& s)
     return s.pixels() * static_cast<std::size_t>(1 + s.layers) * sizeof(vec4);
 }
 
-// How many pixels suit a device's memory.
+// The most pixels of a tile that fits in the device's memory.
 std::size_t most_pixels(const vulkan::Device& device, int looks, int layers)
 {
     constexpr std::size_t least = 4096, per_fragment = column_count * sizeof(float) + sizeof(FragmentRecord);
     const auto all_looks = static_cast<std::size_t>(looks), all_layers = static_cast<std::size_t>(1 + layers);
     const std::size_t per_pixel = 3 * per_fragment / 2 + all_looks * (2 * sizeof(uint) + sizeof(vec4)) +
                                   sizeof(uint) + 3 * sizeof(uvec4) + 2 * all_layers * sizeof(vec4);
-    // A processor that plays device has nothing of larger tiles.
+    // Devices in software gain nothing from tiles above 256 MiB.
     const std::size_t most = device.is_software() ? std::size_t{256} << 20 : std::size_t{3} << 29;
     // The largest buffer has to fit into a binding.
     const std::size_t bound = device.properties().limits.maxStorageBufferRange / (3 * per_fragment / 2);
@@ -50,7 +50,7 @@ std::size_t most_pixels(const vulkan::Device& device, int looks, int layers)
         least);
 }
 
-// Where all pixels are edges a tile is drawn in parts.
+// 3/2 fragments per pixel. Tiles that need more, because all pixels are edges, are drawn in parts.
 std::size_t capacity_of(const TileShape& shape)
 {
     const std::size_t group = group_size;

@@ -1,4 +1,4 @@
-// Room on a device for one tile of a picture.
+// The buffers and render targets of one tile of a picture, on a device.
 #pragma once
 
 #include "draw/vulkan/passes.h"
@@ -11,16 +11,16 @@
 
 namespace lambent::draw {
 
-/// How large tiles get.
+/// The size of a tile and of its buffers.
 struct TileShape {
     int width = 1, height = 1; ///< pixels
     int looks = 1;             ///< per pixel
-    int layers = 0;            ///< besides the picture
-    std::size_t capacity = 1;  ///< fragments
+    int layers = 0;            ///< images besides the picture itself
+    std::size_t capacity = 1;  ///< in fragments
 
     std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
 
-    /// Whether what needs another fits, too.
+    /// Whether buffers of this shape suffice for `other`.
     bool covers(const TileShape& other) const
     {
         return width >= other.width && height >= other.height && looks >= other.looks &&
@@ -28,10 +28,10 @@ struct TileShape {
     }
 };
 
-/// The largest tiles of a picture that suit a device's memory.
+/// The largest tile of a picture that fits in the device's memory.
 TileShape tile_shape(const vulkan::Device& device, const Settings& settings, int looks, int layers);
 
-/// One that covers both if it suits the device's memory, too; else the first.
+/// A shape that covers both if it fits in the device's memory; else `first`.
 TileShape united(const vulkan::Device& device, const TileShape& first, const TileShape& second);
 
 /// Throws Error(no_device).
@@ -42,7 +42,7 @@ public:
 
     const TileShape& shape() const { return shape_; }
 
-    /// Puts the buffers where shaders look for them.
+    /// Sets the buffers at their bindings.
     void offer(std::array<vulkan::Resource, gpu_layout::binding_count>& resources) const;
 
     const vulkan::Texture& ids() const { return ids_; }
@@ -50,9 +50,11 @@ public:
     const vulkan::Buffer& values() const { return values_; }
     const vulkan::Buffer& picture() const { return picture_; }
     const vulkan::Buffer& counters() const { return counters_; }
-    const vulkan::Buffer& counted() const { return counted_; } ///< to be read here
+    const vulkan::Buffer& counted() const { return counted_; } ///< a copy of counters() for the host
     const vulkan::Buffer& output() const { return output_; }
-    const vulkan::Buffer& drawn() const { return drawn_; } ///< to be read here
+    const vulkan::Buffer& drawn() const { return drawn_; } ///< a copy of output() for the host
+
+    /// Stores the positions of the looks in a pixel.
     void place_looks(std::span<const glm::vec2> places) const;
 
 private:

@@ -11,9 +11,10 @@
 namespace lambent::draw {
 namespace {
 
-// A picture, tile by tile from its top left. All of it is here, not on the device.
-struct Unfinished {
-    Unfinished(const scene::Scene& scene, const environment::Environment* environment, const Settings& given)
+// A picture drawn in tiles from the top left, held in host memory.
+struct PartialPicture {
+    PartialPicture(const scene::Scene& scene, const environment::Environment* environment,
+                   const Settings& given)
         : settings(given), prepared(scene.lights, environment, settings), frame(blank_frame(settings, scene))
     {
     }
@@ -43,7 +44,7 @@ struct Unfinished {
 
     const Settings settings;
     const PreparedPicture prepared;
-    Frame frame; ///< with the times of all passes so far
+    Frame frame; ///< with the durations of all passes so far
     int x = 0, y = 0;
 };
 
@@ -63,8 +64,8 @@ public:
     std::unique_ptr<Drawing> start(const environment::Environment* environment,
                                    const Settings& settings) override;
 
-    // What of the picture is on the device goes when this ends: who knows what becomes of it before the next time.
-    bool advance(Unfinished& picture, const Drawing::GoOn& go_on)
+    // The picture's data on the device are freed at the end of each call, because the picture may never be continued.
+    bool advance(PartialPicture& picture, const Drawing::GoOn& go_on)
     {
         const Settings& settings = picture.settings;
         prepare_scene(settings.texel_transfer);
@@ -107,7 +108,7 @@ public:
     std::vector<std::string> complaints() const override { return instance_.validation_messages(); }
 
 private:
-    // All of this is kept from picture to picture: most are as the one before, or as the one before that.
+    // Scene, tile and passes are kept, because most pictures need those of the last picture or of the one before.
     void prepare_scene(TexelTransfer transfer)
     {
         if (stale_)
@@ -122,13 +123,13 @@ private:
         stale_ = false;
     }
 
-    // One that is larger will do, and serves all pictures that take turns.
+    // A larger tile is kept: pictures drawn in turn share one that covers them all, if memory allows it.
     void prepare_tile(const TileShape& shape)
     {
         if (tile_ && tile_->shape().covers(shape))
             return;
         const TileShape both = tile_ ? united(device_, shape, tile_->shape()) : shape;
-        tile_.reset(); // before there is another
+        tile_.reset(); // frees its memory before the next is made
         tile_.emplace(device_, both);
     }
 
@@ -145,12 +146,12 @@ private:
         return *passes_.emplace_back(std::make_unique<Passes>(cache_, *layout_, choice));
     }
 
-    // Those of pictures that move and at rest, of one model and of the other.
+    // Those of moving and of still pictures, for both models.
     static constexpr std::size_t most_passes = 4;
 
-    const scene::Scene& first_; ///< has the images
-    const scene::Scene* scene_; ///< as it is drawn
-    bool stale_ = false;        ///< whether another was prepared
+    const scene::Scene& first_; ///< holds the images
+    const scene::Scene* scene_; ///< the current pose
+    bool stale_ = false;        ///< whether `prepared_` has another pose
     scene::Bounds bounds_;
     vulkan::Instance instance_;
     vulkan::Device device_;
@@ -158,7 +159,7 @@ private:
     std::unique_ptr<vulkan::ShaderLayout> layout_;
     std::optional<SceneOnDevice> prepared_;
     TexelTransfer prepared_transfer_ = TexelTransfer::srgb;
-    std::vector<std::unique_ptr<Passes>> passes_; ///< those used last come last
+    std::vector<std::unique_ptr<Passes>> passes_; ///< in the order of last use
     std::optional<TileOnDevice> tile_;
     KeptEnvironment environment_;
 };
@@ -175,7 +176,7 @@ public:
 
 private:
     OnDevice& renderer_;
-    Unfinished picture_;
+    PartialPicture picture_;
 };
 
 std::unique_ptr<Drawing> OnDevice::start(const environment::Environment* environment,

@@ -12,19 +12,19 @@
 namespace lambent::draw {
 
 struct VulkanOptions {
-    bool software = true;    ///< whether a device that is itself a processor will do, if there is no other
-    bool validation = false; ///< let the Khronos layer watch, where it is installed
-    std::filesystem::path cache_folder; ///< for compiled shaders; empty: none are kept
+    bool software = true;               ///< allows a device that runs on the CPU, if there is no other
+    bool validation = false;            ///< enables the Khronos validation layer, if it is installed
+    std::filesystem::path cache_folder; ///< for compiled shaders; empty: no cache
 };
 
 class VulkanRenderer : public Renderer {
 public:
-    /// What the validation layer has said; empty is good.
+    /// The messages of the validation layer so far.
     virtual std::vector<std::string> complaints() const = 0;
 };
 
-/// A renderer of `scene`, which must outlive it. Throws vulkan::NoSuchDevice where there is no Vulkan library or no device
-/// that will do; Error(no_device) where it fails or has not enough memory, also when drawing.
+/// A renderer of `scene`, which must outlive it. Throws vulkan::NoSuchDevice if there is no Vulkan library or no
+/// suitable device, and Error(no_device) if the device fails or lacks memory. Drawing throws the latter too.
 std::unique_ptr<VulkanRenderer> make_vulkan_renderer(const scene::Scene& scene,
                                                      const VulkanOptions& options = {});
 
