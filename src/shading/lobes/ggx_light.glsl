@@ -193,7 +193,8 @@ Real middle_level_ggx(Environment environment, Mirror m)
     mat3 frame = mirror_frame(m);
     Real per_sample = 1.0 / Real(sample_count(environment));
     LobeSampling lobe = lobe_sampling(in_frame(frame, m.at.view), m.alpha, per_sample);
-    return matched_level_ggx(lobe.variance, pixel_blur(m.at, lobe.variance, per_sample), 1.0 / level_one_variance(environment));
+    return matched_level_ggx(lobe.variance, pixel_blur(m.at, lobe.variance, per_sample),
+                             1.0 / level_one_variance(environment));
 }
 
 // Directions are sampled from visible normals, each at its own position in the pixel, and read through a blur as wide

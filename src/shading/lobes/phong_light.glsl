@@ -33,7 +33,8 @@ vec3 lamps_phong(Environment environment, Phong p, ShinyPoint s, PixelBlur pixel
     Real p2 = pixel.share * pixel.share;
     Real in_pixel = p2 * p2; // of all powers, this one keeps most of a white sky's light
     Real middle = exp2(-log2_lobe_density_phong(0.0, p.exponent));
-    Real through_pixel = in_pixel * share_of_coarser(variance_of_spread(middle) * per_sample + pixel.variance, variances);
+    Real through_pixel =
+        in_pixel * share_of_coarser(variance_of_spread(middle) * per_sample + pixel.variance, variances);
     vec3 total = vec3(0.0);
     for (int i = 0; i < lamp_count(environment); ++i) {
         vec3 L = lamp_direction(environment, i);

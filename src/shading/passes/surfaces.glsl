@@ -74,7 +74,7 @@ void find_surface(Fragment f, Source s, Real extent)
     store3(f, column_view, base.view);
     store_shine(f, 0, base, extent);
 #define LAYER(name, number, texture)                                                                         \
-    if (has_layers() != 0 && takes_layers(model_of(s)) != 0 && any_of(m.name > 0.0)) {                                                  \
+    if (has_layers() != 0 && takes_layers(model_of(s)) != 0 && any_of(m.name > 0.0)) {                       \
         Surface over = mapped_surface(s, seen, texels.texture, texture_##texture);                           \
         store_shine(f, number, over, extent);                                                                \
         m.emissive = left_below_at(m.name, facets_##name(m, compensation_of(s)), over.normal, over.view) *    \

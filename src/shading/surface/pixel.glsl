@@ -36,8 +36,8 @@ Footprint footprint_of(ShinyPoint s)
     vec3 area = cross(s.mirrored_dx, s.mirrored_dy);
     Real size2 = dot(area, area);
     Real inverse = 1.0 / max(size2, 1.0e-30);
-    Footprint f = {mirrored(s.normal, s.view), inverse * cross(s.mirrored_dy, area), inverse * cross(area, s.mirrored_dx),
-                   sqrt(size2)};
+    Footprint f = {mirrored(s.normal, s.view), inverse * cross(s.mirrored_dy, area),
+                   inverse * cross(area, s.mirrored_dx), sqrt(size2)};
     return f;
 }
 
