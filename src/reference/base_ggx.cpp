@@ -24,7 +24,8 @@ Base<view::Model::ggx>::Base(const Surface& surface, double compensation)
     parts_.glossy = image::luminance(r.plain.x, r.plain.y, r.plain.z) +
                     image::luminance(r.grazing.x, r.grazing.y, r.grazing.z);
     parts_.diffuse = image::luminance(r.diffuse.x, r.diffuse.y, r.diffuse.z);
-    // Rough metals, whose visible normals often mirror below the surface, get some directions by the cosine as well.
+    // Visible normals of a rough surface often reflect to below it. Without a diffuse part, a share of directions that
+    // grows with roughness is therefore sampled by the cosine.
     parts_.glossy_share =
         parts_.diffuse > 0.0 ? chance_of(parts_.glossy, parts_.diffuse) : 1.0 - 0.5 * m.alpha * m.alpha;
 }
@@ -35,7 +36,7 @@ double Base<view::Model::ggx>::density(const glm::dvec3& light) const
     return share * facets_.density(light) + (1.0 - share) * cosine_density(facets_.normal, light);
 }
 
-// One number chooses the part and, stretched again, the direction: it stays evenly spread.
+// u.x selects the part and is then rescaled to [0, 1) for the direction, so that directions stay evenly distributed.
 glm::dvec3 Base<view::Model::ggx>::draw(const glm::dvec2& u) const
 {
     const double share = parts_.glossy_share;

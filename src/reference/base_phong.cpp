@@ -12,7 +12,7 @@
 
 namespace lambent::reference {
 
-// The report's model gives nothing back of what is scattered more than once.
+// The report's model has no compensation for light scattered more than once.
 Base<view::Model::phong>::Base(const Surface& surface, double /*compensation*/)
     : normal_(surface.normal), view_(surface.view), phong_(surface.phong)
 {
@@ -46,7 +46,7 @@ double Base<view::Model::phong>::glossy_density(const glm::dvec3& light) const
         return 0.0;
     const double NH = std::min(glm::dot(normal_, sum) / length, 1.0);
     const double VH = glm::dot(view_, sum) / length, exponent = phong_.exponent;
-    // Facets are drawn that face away from the viewer, too: they mirror to below the surface.
+    // Sampled facets may face away from the viewer: NH is then negative, and they reflect to below the surface.
     const double lobe = (exponent + 1.0) / (2.0 * std::numbers::pi) * std::pow(std::fabs(NH), exponent);
     return VH > 1e-9 ? lobe / (4.0 * VH) : 0.0;
 }
@@ -66,7 +66,7 @@ glm::dvec3 Base<view::Model::phong>::draw_glossy(const glm::dvec2& u) const
     return glm::normalize(from_text(in_double::mirrored(frame * H, to_text(view_))));
 }
 
-// One number chooses the part and, stretched again, the direction: it stays evenly spread.
+// u.x selects the part and is then rescaled to [0, 1) for the direction, so that directions stay evenly distributed.
 glm::dvec3 Base<view::Model::phong>::draw(const glm::dvec2& u) const
 {
     const double share = parts_.glossy_share;

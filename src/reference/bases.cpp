@@ -34,7 +34,7 @@ double cosine_density(const glm::dvec3& normal, const glm::dvec3& light)
     return std::max(glm::dot(normal, light), 0.0) / pi;
 }
 
-// Uniform on the disc, lifted onto the hemisphere.
+// Samples the unit disc uniformly and projects the point up onto the hemisphere.
 glm::dvec3 draw_cosine(const glm::dvec3& normal, const glm::dvec2& u)
 {
     const double r = std::sqrt(u.y);

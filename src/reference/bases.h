@@ -1,4 +1,4 @@
-// The lobes of shading/passes/bases.h in double: how the base of a material reflects, by each shading model.
+// The bases of shading/passes/bases.h in double: reflection by the lowest lobe of a material, for each shading model.
 #pragma once
 
 #include "reference/facets.h"
@@ -14,18 +14,18 @@ namespace lambent::reference {
 
 struct Surface;
 
-/// What a base reflects, as luminance for white light from all around, and how often draw() takes which part.
+/// Luminance that the two parts of a base reflect of white light from all directions, and the share of samples of each.
 struct BaseParts {
     double glossy = 0.0;
     double diffuse = 0.0;
-    double glossy_share = 1.0; ///< of the draws; the rest is drawn by the cosine
+    double glossy_share = 1.0; ///< of draw()'s directions; the others are sampled by the cosine
 };
 
-/// The base of a surface by one model. Each has
+/// The base of a surface by one model. Every specialisation has
 ///   value()    BRDF times the cosine, RGB per steradian; 0 below the surface
-///   density()  of draw() at a direction, per steradian
-///   draw()     a direction that light may come from, by two numbers in [0, 1); may be below the surface
-///   parts()    BaseParts
+///   density()  density of draw() at a direction, per steradian
+///   draw()     a sampled direction of incoming light, from two numbers in [0, 1); may be below the surface
+///   parts()    its BaseParts
 ///   alpha()    the roughness of its highlight
 template <view::Model model>
 class Base;
@@ -64,27 +64,27 @@ private:
     BaseParts parts_;
 };
 
-/// variant<Ts...>; the first name is there for lists, whose rows begin with a comma.
+/// variant<Ts...>. The unused first parameter allows lists whose rows all begin with a comma.
 template <typename, typename... Ts>
 using OneOf = std::variant<Ts...>;
 
-/// The base by one of the models of the list.
+/// The base by any of the models in the list.
 using AnyBase = OneOf<void
 #define BASE(name, number, layered) , Base<view::Model::name>
 #include "shading/passes/bases.h"
                       >;
 
-/// The base of a surface, which has to outlive it. compensation: of light scattered more than once, 0 or 1.
+/// The base of a surface. The surface must outlive it. `compensation`: for light scattered more than once, 0 or 1.
 AnyBase base_of(const Surface& surface, view::Model model, double compensation);
 
-/// What is worth drawing by chance, of two parts: seldom what hardly shows, but never not at all, as colours differ from their
-/// luminance.
+/// Probability of sampling the first of two parts, from their luminances. At least 0.1 and at most 0.9, because a
+/// colour may matter although its luminance is small.
 double chance_of(double part, double rest);
 
 /// Density of draw_cosine() at a direction, per steradian.
 double cosine_density(const glm::dvec3& normal, const glm::dvec3& light);
 
-/// A direction above the surface, in proportion to its cosine. [Malley; Pharr, Jakob and Humphreys 2016, 13.6.3]
+/// Samples a direction above the surface in proportion to its cosine. [Malley; Pharr, Jakob and Humphreys 2016, 13.6.3]
 glm::dvec3 draw_cosine(const glm::dvec3& normal, const glm::dvec2& u);
 
 } // namespace lambent::reference

@@ -25,7 +25,7 @@ std::vector<int> share_samples(std::span<const TileState> tiles, double total, i
             all += wanted(i, scale);
         return all;
     };
-    // The sum grows with the scale: halve the interval that holds it.
+    // The sum grows with the scale, which bisection therefore finds.
     double low = 0.0, high = largest > 0.0 ? 2.0 * total / largest : 0.0;
     for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (low + high);
@@ -39,7 +39,7 @@ std::vector<int> share_samples(std::span<const TileState> tiles, double total, i
     return samples;
 }
 
-// The first 2^(a + b) points lie one in each cell of a grid of 2^a x 2^b.
+// Of the first 2^(a + b) Sobol points, one lies in each cell of a grid of 2^a x 2^b.
 std::vector<int> scattered_tiles(int columns, int rows)
 {
     const int across = std::bit_width(static_cast<std::uint32_t>(columns - 1)),

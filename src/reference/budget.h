@@ -1,4 +1,4 @@
-// How many samples each tile gets next, and which tile when.
+// The number of samples of each tile, and the order in which tiles are sampled.
 #pragma once
 
 #include <span>
@@ -7,17 +7,18 @@
 namespace lambent::reference {
 
 struct TileState {
-    int samples;     ///< per pixel, so far; at least 2
-    double variance; ///< mean over the tile of the variance of its pixels' values
+    int samples;     ///< taken so far, per pixel; at least 2
+    double variance; ///< variance of a pixel's value, averaged over the tile
 };
 
-/// Samples per pixel that each tile should have when `total` (the sum over all tiles) may be spent: those that make the
-/// sum of all variances least, n_i proportional to the standard deviation of one sample [Neyman 1934], but never fewer
-/// than a tile has, nor than a quarter of the mean: what was not seen yet tells no variance. Multiples of `step`.
+/// Distributes `total` (the sum over all tiles of samples per pixel) so that the sum of all variances is smallest:
+/// n_i is proportional to the standard deviation of one sample [Neyman 1934]. No tile gets fewer samples than it has,
+/// nor fewer than a quarter of the mean, because light that no sample met yet adds no variance. Numbers increase in
+/// multiples of `step`.
 std::vector<int> share_samples(std::span<const TileState> tiles, double total, int step);
 
-/// The tiles of a picture, row by row from 0, each once, in an order whose first parts are spread evenly over it: after
-/// each 2^k tiles of a picture of 2^a x 2^b, every rectangle of 1 / 2^k of it has one. [Sobol 1967]
+/// All tiles of a picture, numbered row by row from 0, in an order whose first tiles are always spread evenly over
+/// it: of 2^a x 2^b tiles, the first 2^k have one in every dyadic rectangle of 1 / 2^k of the picture. [Sobol 1967]
 std::vector<int> scattered_tiles(int columns, int rows);
 
 } // namespace lambent::reference

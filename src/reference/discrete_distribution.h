@@ -1,4 +1,4 @@
-// A choice among numbered entries, each as likely as its weight.
+// Random choice among numbered entries, with probabilities proportional to weights.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 
 namespace lambent::reference {
 
-/// A discrete distribution, drawn from by its cumulative sums. `Number` is the type in which these are stored: many sums in
-/// float fit a processor's caches where doubles do not. Probabilities are the differences of the stored sums, so that they are
-/// exactly those that draw() chooses by. Entries of weight 0 are never drawn.
+/// A discrete distribution, sampled by its cumulative sums. `Number` is the type in which these are stored: long
+/// lists of floats fit a processor's caches where doubles do not. Probabilities are differences of the stored sums,
+/// which makes them exactly those of draw(). Entries of weight 0 are never drawn.
 template <class Number>
 class DiscreteDistribution {
 public:
@@ -37,18 +37,18 @@ public:
             block_ends_.push_back(ends_[std::min(first + block, ends_.size()) - 1]);
     }
 
-    /// Sum of the weights; nothing can be drawn where it is 0.
+    /// Sum of the weights. Nothing can be drawn if it is 0.
     double sum() const { return sum_; }
 
     struct Drawn {
         std::size_t index;
-        double place; ///< of u between those that give the same entry, 0 to 1: uniform again
+        double place; ///< position of u in the interval that gives this entry, 0 to 1; uniform again
     };
 
-    /// `u` is in [0, 1).
+    /// Draws an entry. `u` is in [0, 1).
     Drawn draw(double u) const
     {
-        // First a block of entries, then the entry in it: two short searches in neighbouring memory.
+        // Searching for a block, then for the entry in it, reads only contiguous memory.
         const std::size_t first = block * first_above(block_ends_, u);
         const std::span<const Number> ends(ends_);
         const std::size_t index =
@@ -56,13 +56,13 @@ public:
         return {index, std::clamp((u - start(index)) / std::max(probability(index), 1e-300), 0.0, 1.0)};
     }
 
-    /// Of drawing an entry.
+    /// Probability of drawing an entry.
     double probability(std::size_t index) const { return end(index) - start(index); }
 
 private:
     static constexpr std::size_t block = 32;
 
-    // Index of the first end above u; that of the last if there is none.
+    // Index of the first cumulative sum above u, or of the last one if there is none.
     static std::size_t first_above(std::span<const Number> ends, double u)
     {
         const auto above = [](double a, Number b) { return a < static_cast<double>(b); };
@@ -77,8 +77,8 @@ private:
     }
 
     double sum_ = 0.0;
-    std::vector<Number> ends_;       // cumulative, the last is 1
-    std::vector<Number> block_ends_; // those of every block's last entry
+    std::vector<Number> ends_;       // cumulative sums up to and including each entry; the last is 1
+    std::vector<Number> block_ends_; // cumulative sums at the last entry of each block
 };
 
 } // namespace lambent::reference

@@ -11,7 +11,7 @@ namespace lambent::reference {
 
 Emitters::Emitters(const scene::Scene& scene)
 {
-    std::vector<double> light; // by triangle
+    std::vector<double> light; // emitted by each triangle
     for (std::uint32_t i = 0; i < scene.instances.size(); ++i) {
         const scene::Instance& instance = scene.instances[i];
         const scene::Material& material = scene.materials[scene::material_of(scene, instance)];

@@ -15,7 +15,7 @@ namespace {
 
 using std::numbers::pi;
 
-// More cells than this do not fit a processor's caches.
+// The distributions of more cells than this do not fit a processor's caches.
 constexpr int most_columns = 2048, most_rows = 1024;
 
 // Cosine of the polar angle at the top of row y of `rows`.
@@ -33,7 +33,7 @@ EnvironmentLight::EnvironmentLight(const image::RadianceImage& panorama, double 
     fill_cells();
 }
 
-// Mean of the bilinear picture over texel (x, y), nearly: of each neighbour 1/8, 3/4 and 1/8 along each axis.
+// Approximate mean of the bilinear panorama over texel (x, y): weights 1/8, 3/4 and 1/8 along each axis.
 double EnvironmentLight::smoothed_luminance(int x, int y) const
 {
     double sum = 0.0;
@@ -47,7 +47,7 @@ double EnvironmentLight::smoothed_luminance(int x, int y) const
     return sum;
 }
 
-// Mean over all texels that a cell touches, so that no light is in a cell that is never drawn.
+// Mean over all texels that a cell overlaps, so that every cell that contains light can be drawn.
 double EnvironmentLight::cell_light(int column, int row) const
 {
     const auto begin = [](int cell, int texels, int cells) {

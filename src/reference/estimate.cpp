@@ -6,7 +6,7 @@
 namespace lambent::reference {
 namespace {
 
-// What all formulas need: the mean over all samples, and each replicate's mean and share of the samples.
+// Input of all formulas: the mean over all samples, and each replicate's mean and share of the samples.
 struct Dealt {
     int used = 0;
     double mean = 0.0;
@@ -29,11 +29,11 @@ Dealt dealt(const Sums& sums, int samples)
 }
 
 // With shares w of the samples and independent means m of variances v, E(m - mean)^2 = v (1 - 2w) + V, where
-// V = sum(w^2 v) is what is looked for. Weighed by a = w^2 / (1 - 2w), the sum over all replicates is V (1 + sum(a)),
-// whatever the v are: points that are spread evenly have less than 1 / count of one sample's variance.
+// V = sum(w^2 v) is the variance of the mean. Weighted by a = w^2 / (1 - 2w), the sum over all replicates is
+// V (1 + sum(a)) for all v. (v is not 1 / count of one sample's variance: that of evenly distributed points is less.)
 double variance_of(const Dealt& d)
 {
-    if (d.used == 2) { // shares of a half each, where the limit of the formula is this
+    if (d.used == 2) { // both shares are 1/2: this is the limit of the formula
         const double difference = d.means[0] - d.means[1];
         return 0.25 * difference * difference;
     }

@@ -43,7 +43,7 @@ double Facets::density(const glm::dvec3& light) const
     if (!(length > 1e-12))
         return 0.0;
     const double NH = std::min(glm::dot(normal, sum) / length, 1.0);
-    if (!(NH > 0.0)) // facets that face into the surface are not there
+    if (!(NH > 0.0)) // no facet faces into the surface
         return 0.0;
     const double NV = glm::dot(normal, view);
     if (!is_stretched())

@@ -50,13 +50,13 @@ void Film::Totals::add(const Totals& more)
     pixels += more.pixels;
 }
 
-// Three values a pixel.
+// Each pixel has three values.
 double Film::Totals::relative_error() const
 {
     return mean > 0.0 ? std::sqrt(3.0 * pixels * error) / mean : 0.0;
 }
 
-// The number of pixels of equal noise that would be as many: the participation ratio.
+// error^2 / squares is the participation ratio: the effective number of pixels that hold the noise.
 bool Film::Totals::is_known() const
 {
     return !(error > 0.0) || error * error >= least_pixels * squares;

@@ -1,4 +1,4 @@
-// Where samples are gathered: each pixel's light, and how far off it may still be.
+// Accumulates samples: the light of each pixel, and its estimated error.
 #pragma once
 
 #include "image/image.h"
@@ -11,24 +11,24 @@
 
 namespace lambent::reference {
 
-/// Relative RMSE that is expected of a picture: RMS of what its values are off, over their mean, both cut.
+/// Expected relative RMSE of a picture: root mean square error of its values over their mean, both of cut values.
 struct Noise {
     double all = 0.0;     ///< over all pixels
-    double covered = 0.0; ///< over those in which a surface was seen; over all where there is none
+    double covered = 0.0; ///< over pixels in which a surface was seen; over all if there is none
 };
 
-/// Mean and variance of every pixel, by square tiles whose pixels all have the same number of samples. About 100 bytes a
-/// pixel.
+/// Mean and variance of every pixel. All pixels of a square tile have the same number of samples. Takes about 100
+/// bytes per pixel.
 class Film {
 public:
     static constexpr int tile_size = 16;
 
-    /// So many pixels as noisy as each other are together off what they are expected to be by sqrt(2 / n) of the square,
-    /// one standard deviation: an eighth of its root.
+    /// The squared error of n equally noisy pixels has a relative standard deviation of sqrt(2 / n). For 30 pixels
+    /// that is an eighth of the root mean square error.
     static constexpr double least_pixels = 30.0;
 
-    /// `cut`: values above it count as this, in what is said of noise. `unlit`: whether some sight may be of surfaces
-    /// without lighting. Throws std::bad_alloc.
+    /// `cut`: larger values count as this in estimates of noise. `unlit`: whether samples may show surfaces without
+    /// lighting. Throws std::bad_alloc.
     Film(int width, int height, double cut, bool unlit = false);
 
     struct Area {
@@ -40,30 +40,31 @@ public:
     Area area(int tile) const;
     int samples(int tile) const { return tiles_[static_cast<std::size_t>(tile)].samples; }
 
-    /// Sample `number` of a pixel. Tiles may be filled in parallel, one thread each.
+    /// Adds sample `number` of a pixel. Tiles may be filled in parallel, each by one thread.
     void add(int x, int y, int number, const Sight& sight);
 
-    /// After all pixels of a tile have their samples below `count`.
+    /// Sums up a tile. All its pixels must have their samples with numbers below `count`.
     void finish(int tile, int count);
 
-    /// Mean over a tile's pixels and channels of the expected square of what the cut value is off; needs two samples.
+    /// Expected squared error of the cut values, averaged over a tile's pixels and channels. Needs two samples.
     double tile_variance(int tile) const;
 
-    /// Nothing until every pixel has two samples: one tells no variance. Nothing either where less than about
-    /// `least_pixels` hold all the noise, as a lamp of one pixel does: what so few are off is a matter of chance.
+    /// Returns nothing until every pixel has two samples, because one gives no variance, nor while fewer than about
+    /// `least_pixels` hold all the noise, as with a lamp of one pixel: the error of so few is a matter of chance.
     std::optional<Noise> noise() const;
 
-    /// What noise().covered is at most, surely enough to stop by it: where few pixels hold the noise, twice their
-    /// estimate; infinite before every pixel has two samples.
+    /// Upper limit of noise().covered, safe enough to stop by: twice the estimate if few pixels hold the noise;
+    /// infinite until every pixel has two samples.
     double noise_at_most() const;
 
-    /// Samples per pixel, averaged, and of the tile that has fewest.
+    /// Samples per pixel: on average, and in the tile with the fewest.
     double mean_samples() const;
     int fewest_samples() const;
 
-    image::RadianceImage radiance() const; ///< RGBA, alpha is coverage
-    image::RadianceImage
-    variance() const; ///< RGB, of each value of radiance(), not cut; infinite after one sample
+    /// RGBA; alpha is coverage.
+    image::RadianceImage radiance() const;
+    /// RGB variance of each value of radiance(), not cut; infinite after one sample.
+    image::RadianceImage variance() const;
 
 private:
     struct Pixel {
@@ -71,10 +72,10 @@ private:
         float coverage = 0.0f;
     };
 
-    // Over some pixels and all channels.
+    // Sums over some pixels and all channels.
     struct Totals {
-        double error = 0.0, mean = 0.0; ///< of cut values; the error squared
-        double squares = 0.0;           ///< of the pixels' squared errors
+        double error = 0.0, mean = 0.0; ///< squared errors, and means, of cut values
+        double squares = 0.0;           ///< squares of each pixel's `error`
         int pixels = 0;
 
         void add(const Totals& more);
@@ -87,7 +88,7 @@ private:
     };
 
     struct Both {
-        Totals all, covered; ///< `covered` is all pixels where none is covered
+        Totals all, covered; ///< `covered` equals `all` if no pixel is covered
     };
     Both totals() const;
     std::size_t index(int x, int y) const;
@@ -98,7 +99,7 @@ private:
     double cut_;
     std::vector<Pixel> pixels_;
     std::vector<Tile> tiles_;
-    std::vector<float> unlit_; ///< RGBA sums, as RadianceImage::unlit; empty: none
+    std::vector<float> unlit_; ///< RGBA sums for RadianceImage::unlit; empty if no surface is unlit
 };
 
 } // namespace lambent::reference

@@ -1,4 +1,4 @@
-// Where the rays of a picture start and go.
+// Camera rays of a picture.
 #pragma once
 
 #include "view/camera.h"
@@ -11,23 +11,23 @@
 namespace lambent::reference {
 
 struct SightRay {
-    glm::dvec3 origin{0.0}, direction{0.0};                           ///< direction of unit length
-    double near = 0.0, far = std::numeric_limits<double>::infinity(); ///< along it, metres
+    glm::dvec3 origin{0.0}, direction{0.0};                           ///< direction has unit length
+    double near = 0.0, far = std::numeric_limits<double>::infinity(); ///< limits along the direction, metres
 };
 
-/// A camera, or all directions from one point.
+/// Rays of a camera, or in all directions from one point.
 class Lens {
 public:
     Lens(const view::Camera& camera, int width, int height);
 
-    /// A panorama, oriented as equations/sphere_maps.glsl says.
+    /// An equirectangular panorama, oriented as in equations/sphere_maps.glsl.
     Lens(const glm::vec3& viewpoint, int width, int height);
 
-    /// Through the place (x, y), in pixels from the top left corner.
+    /// The ray through position (x, y), in pixels from the top left corner.
     SightRay through(double x, double y) const;
 
 private:
-    std::optional<view::RayMap> map_; ///< none: a panorama
+    std::optional<view::RayMap> map_; ///< empty for a panorama
     glm::dvec3 viewpoint_{0.0};
     int width_, height_;
 };

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function" // only the arrival is wanted here
+#pragma GCC diagnostic ignored "-Wunused-function" // only part of the shared code is used here
 
 namespace lambent::in_double {
 namespace {
@@ -54,7 +54,7 @@ LightArrival arrival_of(const scene::Light& light, const glm::dvec3& point)
 
 glm::dvec3 blurred(const glm::dvec3& direction, double roughness, SampleSequence& sampler)
 {
-    // Rayleigh distributed angle. [Box and Muller 1958]
+    // The angle is Rayleigh distributed. [Box and Muller 1958]
     const double deviation = roughness * roughness;
     const double angle = deviation * std::sqrt(-2.0 * std::log(1.0 - sampler.random()));
     const double turn = 2.0 * std::numbers::pi * sampler.random();

@@ -1,4 +1,4 @@
-// Lights without size as a point sees them, and blurred backgrounds.
+// Light of sources without size as it arrives at a point, and blurred backgrounds.
 #pragma once
 
 #include "reference/sampler.h"
@@ -15,8 +15,8 @@ struct LightArrival {
 };
 LightArrival arrival_of(const scene::Light& light, const glm::dvec3& point);
 
-/// A direction near the given one, normally distributed with standard deviation roughness^2 radians along each axis:
-/// what `--background blur` looks through.
+/// A random direction near the given one, normally distributed with standard deviation roughness^2 radians along each
+/// axis, as `--background blur:ROUGHNESS` blurs.
 glm::dvec3 blurred(const glm::dvec3& direction, double roughness, SampleSequence& sampler);
 
 } // namespace lambent::reference

@@ -8,7 +8,7 @@
 namespace lambent::reference {
 namespace {
 
-// By the lists: the facets of a lobe over the base, and how much of it there is.
+// Facets and strength, 0 to 1, of a lobe over the base, as its row in the list defines them.
 struct ListedLobe {
     in_double::Metallic facets;
     double there;
@@ -62,7 +62,7 @@ Reflection::Reflection(const Surface& surface, view::Model model, bool energy_co
         add(layer, energy_compensation ? 1.0 : 0.0, below);
 }
 
-// below: luminance of what is reflected without the lobe, and then with it.
+// `below`: luminance reflected by the lobes so far; on return including the added one.
 void Reflection::add(const PointLayer& layer, double compensation, double& below)
 {
     const ListedLobe lobe = listed_lobe(surface_.material, layer.number, compensation);

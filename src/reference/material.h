@@ -1,4 +1,4 @@
-// Materials at a point: how much light they send from one direction into another, and where to look for it.
+// Materials at a point: the light that they reflect from one direction into another, and sampling of directions.
 #pragma once
 
 #include "reference/bases.h"
@@ -13,29 +13,29 @@
 
 namespace lambent::reference {
 
-/// A lobe over the base, of shading/lobes/layers.h: by its parameters, which are the material's, and its own normal.
+/// A lobe over the base. Its parameters are in the material; it has its own normal.
 struct PointLayer {
-    int number = 1;
+    int number = 1;         ///< in shading/lobes/layers.h
     glm::dvec3 normal{0.0}; ///< unit shading normal, on the viewer's side
 };
 
-/// What find_surface knows of a point.
+/// A surface point as Surfaces::at() finds it.
 struct Surface {
     glm::dvec3 position{0.0};
     glm::dvec3 geometric{0.0}; ///< unit normal of the triangle, on the viewer's side
     glm::dvec3 normal{0.0};    ///< unit shading normal, on the viewer's side
-    glm::dvec3 view{0.0};      ///< unit, towards where the ray came from
+    glm::dvec3 view{0.0};      ///< unit, towards the origin of the ray
     PointMaterial material;
     PointPhong phong;
-    std::vector<PointLayer> layers; ///< those that are there, from the lowest up
+    std::vector<PointLayer> layers; ///< lobes of strength above 0, from the lowest up
     bool unlit = false;
 };
 
-/// Light that the surface sends by itself towards its viewer: what lobes over the base leave of its material's, or, where it is
-/// unlit, its colour.
+/// Radiance that the surface emits towards its viewer: its material's emission, attenuated by the lobes over the
+/// base, or its colour if it is unlit.
 glm::dvec3 emitted_by(const Surface& surface, bool energy_compensation);
 
-/// The reflection of a surface point towards its viewer.
+/// Reflection of light by a surface point towards its viewer. The surface must outlive it.
 class Reflection {
 public:
     Reflection(const Surface& surface, view::Model model, bool energy_compensation);
@@ -46,8 +46,8 @@ public:
     /// Density of draw() at a direction, per steradian.
     double density(const glm::dvec3& light) const;
 
-    /// A direction light may come from: by visible normals for glossy lobes, by the cosine for the diffuse part.
-    /// May be below the surface, where value() is 0.
+    /// Samples a direction of incoming light: by visible normals for glossy lobes, by the cosine for the diffuse part.
+    /// It may be below the surface, where value() is 0.
     glm::dvec3 draw(const glm::dvec2& u) const;
 
     /// Whether light from most directions is reflected to the viewer.
@@ -57,9 +57,9 @@ private:
     /// A lobe over the base.
     struct Layer {
         Facets facets;
-        double there = 1.0;   ///< how much of it there is
-        glm::dvec3 left{0.0}; ///< what it leaves to those below
-        double chance = 0.0;  ///< of being drawn from before those below
+        double there = 1.0;   ///< strength, 0 to 1
+        glm::dvec3 left{0.0}; ///< share of light that it leaves to the lobes below
+        double chance = 0.0;  ///< probability that draw() samples it rather than the lobes below
     };
     void add(const PointLayer& layer, double compensation, double& below);
 

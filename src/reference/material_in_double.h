@@ -1,4 +1,5 @@
-// The text of materials and lobes in double, and the way there. For .cpp files: each gets its own copy.
+// Shared shading code of materials and lobes compiled in double, and conversions to its types. Included by .cpp files
+// only: each gets its own copy.
 #pragma once
 
 #include "albedo/albedo_table.h"
@@ -8,7 +9,7 @@
 #include <glm/ext/vector_double3.hpp>
 
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wunused-function" // nobody uses the whole text
+#pragma GCC diagnostic ignored "-Wunused-function" // no file uses all of the shared code
 
 namespace lambent::in_double {
 namespace {

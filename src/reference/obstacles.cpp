@@ -3,16 +3,16 @@
 namespace lambent::reference {
 namespace {
 
-// A ray that has gone through so many backs and transparent layers sees nothing any more.
+// A ray ends after passing through this many backs and transparent surfaces.
 constexpr int most_layers = 256;
 
-// Where it goes on.
+// Start of the rest of a ray, just behind a hit.
 float behind(const trace::Hit& hit)
 {
     return hit.distance * (1.0f + 1e-5f) + 1e-30f;
 }
 
-// What a camera's rays meet first: points and lines are there for them alone.
+// The nearest hit of a ray. Points and lines are visible to camera rays only.
 trace::Hit nearest(const World& world, trace::Ray ray, RayOf whose)
 {
     const trace::Hit hit = world.visibility->nearest(ray);

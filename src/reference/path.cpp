@@ -13,24 +13,26 @@
 namespace lambent::reference {
 namespace {
 
-// Paths are as long as asked for up to here; then only some go on, for those that end. [Arvo and Kirk 1990]
+// After this many bounces paths end at random, and those that continue are weighted accordingly (Russian roulette).
+// [Arvo and Kirk 1990]
 constexpr int least_bounces = 3;
 
-// More lights than this are not all asked at every point.
+// If a scene has more lights without size than this, each point is lit by one of them, chosen at random.
 constexpr std::size_t most_lights_at_once = 8;
 
-// Directions looked at for one that is followed: where the surface mirrors little of what is bright, most of the
-// environment's light is in the wrong place. (Of 1, 2, 3 and 4, this is the fastest to equal error; bench_cycles.)
+// Candidate directions to the environment for each one that is traced: most bright directions contribute little if the
+// surface reflects little of their light. (Of 1, 2, 3 and 4, this reaches equal error fastest; bench_cycles.)
 constexpr int most_candidates = 2;
 
-// What is drawn and how likely another way draws it as well: the weight of this one.
+// Weight of a sample whose density is `density` by its own strategy, and `other` by the other strategy.
 // [balance heuristic: Veach and Guibas 1995, "Optimally combining sampling techniques for Monte Carlo rendering"]
 double weight_of(double density, double other)
 {
     return density / (density + other);
 }
 
-// Where rays leave a point so that they do not meet its own triangle: floats of the position are exact to 2^-24.
+// Origin of rays that leave a surface point, offset so that they do not meet the point's own triangle: floats of its
+// position are exact to 2^-24.
 glm::vec3 start_beside(const glm::dvec3& position, const glm::dvec3& towards)
 {
     const double size = std::max({std::fabs(position.x), std::fabs(position.y), std::fabs(position.z)});
@@ -60,19 +62,20 @@ private:
     const World& world_;
     SampleSequence& sampler_;
     glm::dvec3 throughput_{1.0}; ///< of the path so far
-    glm::dvec3 next_{0.0};       ///< where the path goes on
-    double density_ = 0.0;       ///< with which that was drawn; 0: the path ends
-    double candidates_ = 1.0;    ///< of the last point, for the environment's light
-    glm::dvec3 last_{0.0};       ///< the point before
+    glm::dvec3 next_{0.0};       ///< sampled direction in which the path continues
+    double density_ = 0.0;       ///< density of next_; 0: the path ends
+    double candidates_ = 1.0;    ///< candidate directions to the environment at the last point
+    glm::dvec3 last_{0.0};       ///< position of the last point
 };
 
-// Whether the triangle itself is in the way, though the smooth surface is not.
+// Whether a direction is below the triangle, although it may be above the smooth surface. Ignored without shadows.
 bool Path::below(const Surface& surface, const glm::dvec3& direction) const
 {
     return world_.bounces > 0 && !(glm::dot(surface.geometric, direction) > 0.0);
 }
 
-// A direction in which the environment is bright, and what it would send on if nothing were in the way.
+// A direction sampled by the environment's luminance, and the light from it that the surface would reflect if nothing
+// blocked it.
 struct Path::Candidate {
     glm::dvec3 direction{0.0};
     glm::dvec3 light{0.0};
@@ -95,8 +98,8 @@ Path::Candidate Path::candidate(const Surface& surface, const Reflection& reflec
     return {drawn.direction, light, image::luminance(&light.x)};
 }
 
-// The environment's light, from one of several directions, picked by what each would send on.
-// [resampled importance sampling: Talbot, Cline and Egbert 2005]
+// Light of the environment from one of several directions, chosen by the light that the surface would reflect from
+// each. [resampled importance sampling: Talbot, Cline and Egbert 2005]
 glm::dvec3 Path::light_from(const Surface& surface, const Reflection& reflection, const glm::dvec2& u)
 {
     if (!world_.environment || world_.strategy == Strategy::reflections_only)
@@ -105,7 +108,7 @@ glm::dvec3 Path::light_from(const Surface& surface, const Reflection& reflection
     Candidate chosen;
     double total = 0.0;
     for (int i = 0; i < count; ++i) {
-        // Each evenly spread, and together, too: a rank-one lattice.
+        // A rank-1 lattice distributes each candidate evenly over all samples, and all candidates together.
         const double x = u.x + i / candidates_, y = u.y + i * 0.6180339887498949;
         const Candidate next = candidate(surface, reflection, {x - std::floor(x), y - std::floor(y)});
         total += next.size;
@@ -121,7 +124,7 @@ glm::dvec3 Path::light_from(const Surface& surface, const Reflection& reflection
     return (way * total / (candidates_ * chosen.size)) * chosen.light;
 }
 
-// Light of the surfaces that shine, from a point on one of them.
+// Light of emissive surfaces, from a sampled point on one of them.
 glm::dvec3 Path::light_from_emitters(const Surface& surface, const Reflection& reflection)
 {
     if (!world_.emitters || world_.bounces == 0 || world_.strategy == Strategy::reflections_only)
@@ -150,8 +153,8 @@ glm::dvec3 Path::light_from_emitters(const Surface& surface, const Reflection& r
            emitted_by(world_.surfaces->at(drawn.hit, direction), world_.energy_compensation);
 }
 
-// What a surface that was met sends by itself: after a bounce, the part that light_from_emitters leaves to this. Backs of
-// one-sided surfaces shine as little as they are seen.
+// Light emitted by a surface that the path met. After a bounce, its weight complements that of light_from_emitters.
+// Culled backs of one-sided surfaces emit nothing.
 glm::dvec3 Path::emitted(const trace::Hit& hit, const Surface& surface, int bounce) const
 {
     if (world_.surfaces->is_culled(hit))
@@ -180,7 +183,7 @@ glm::dvec3 Path::lamp(const scene::Light& light, const Surface& surface, const R
     return passing(world_, ray) * value * arrival.illuminance;
 }
 
-// All lights without size, or one of many for all of them.
+// Light of all lights without size, or an estimate from one of them if there are many.
 glm::dvec3 Path::lamps(const Surface& surface, const Reflection& reflection)
 {
     const std::size_t count = world_.lights.size();
@@ -194,7 +197,7 @@ glm::dvec3 Path::lamps(const Surface& surface, const Reflection& reflection)
     return sum;
 }
 
-// Light that a surface reflects directly; draws where the path goes on.
+// Direct light that a surface reflects. Also samples the direction in which the path continues.
 glm::dvec3 Path::scattered(const Surface& surface)
 {
     const Reflection reflection(surface, world_.model, world_.energy_compensation);
@@ -225,7 +228,7 @@ glm::dvec3 Path::background(const glm::dvec3& direction)
                                                                 : direction);
 }
 
-// The environment's light in the direction that the last surface drew.
+// Light of the environment from the direction that was sampled at the last surface.
 glm::dvec3 Path::escaped(const glm::dvec3& direction) const
 {
     if (!world_.environment || world_.strategy == Strategy::lights_only)
@@ -255,7 +258,7 @@ Sight Path::follow(const SightRay& sight)
                    static_cast<float>(sight.far)};
     glm::dvec3 direction = sight.direction;
     for (int bounce = 0;; ++bounce) {
-        // Without shadows nothing is in the way of what was drawn.
+        // Without shadows nothing blocks sampled directions.
         const bool open = bounce > 0 && world_.bounces == 0;
         const trace::Hit hit =
             open ? trace::Hit()

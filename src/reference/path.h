@@ -1,4 +1,4 @@
-// Light along one ray of sight, by one random path.
+// Radiance along one camera ray, estimated by one random path.
 #pragma once
 
 #include "reference/emitters.h"
@@ -15,33 +15,34 @@
 
 namespace lambent::reference {
 
-/// Which of the two ways of finding the environment's light are used. One alone is for checking the other.
+/// Which strategies sample the light of the environment and of emissive surfaces: points on light sources, directions
+/// of reflection, or both combined. Each alone serves to check the other.
 enum class Strategy { both, lights_only, reflections_only };
 
-/// What all paths of a picture share.
+/// Data shared by all paths of a picture.
 struct World {
     const trace::Visibility* visibility = nullptr;
-    const trace::Visibility* lines = nullptr; ///< seen by the camera alone; null: none
+    const trace::Visibility* lines = nullptr; ///< points and lines, visible to camera rays only; null: none
     const Surfaces* surfaces = nullptr;
-    const EnvironmentLight* environment = nullptr; ///< null: darkness
+    const EnvironmentLight* environment = nullptr; ///< null: black
     const Emitters* emitters = nullptr;            ///< null: none
     std::vector<scene::Light> lights;
     view::Model model = view::Model::ggx;
     bool energy_compensation = true;
     view::Background background;
-    bool has_unlit = false; ///< whether there are surfaces without lighting
-    int bounces = 8;        ///< 0: light that arrives directly, without shadows
+    bool has_unlit = false; ///< whether there are unlit surfaces
+    int bounces = 8;        ///< 0: direct light only, without shadows
     Strategy strategy = Strategy::both;
 };
 
-/// Radiance, and whether a surface was seen (0 or 1).
+/// Radiance along a camera ray, and whether the ray met a surface (0 or 1).
 struct Sight {
     glm::dvec3 radiance{0.0};
     double coverage = 0.0;
-    bool unlit = false; ///< the surface seen is one without lighting
+    bool unlit = false; ///< whether that surface is unlit
 };
 
-/// One sample of what a ray of sight sees: an unbiased estimate, noise and all.
+/// One sample of the light along a camera ray: an unbiased, noisy estimate.
 Sight trace_path(const World& world, const SightRay& ray, SampleSequence& sampler);
 
 } // namespace lambent::reference

@@ -17,7 +17,7 @@ struct PointMaterial {
 #include "shading/material/parameters.h"
 };
 
-/// The report's.
+/// Parameters of the report's model.
 struct PointPhong {
     glm::dvec3 diffuse{0.0};  ///< Kd
     glm::dvec3 specular{0.0}; ///< Ks

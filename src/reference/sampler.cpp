@@ -6,14 +6,15 @@ namespace {
 constexpr int bits = 32;
 using Directions = std::array<std::uint32_t, bits>;
 
-// A primitive polynomial x^degree + a_1 x^(degree-1) + ... + 1, its inner coefficients as bits, and the first numbers.
+// A primitive polynomial x^degree + a_1 x^(degree-1) + ... + 1, its inner coefficients as bits, and the first direction
+// numbers.
 struct Polynomial {
     int degree;
     unsigned inner;
     std::array<std::uint32_t, 3> first;
 };
 
-// The recurrence of Bratley and Fox 1988 (TOMS 659), section 2.
+// Direction numbers by the recurrence of Bratley and Fox 1988 (TOMS 659), section 2.
 constexpr Directions directions(const Polynomial& p)
 {
     Directions v{};
@@ -40,11 +41,11 @@ constexpr Directions van_der_corput()
     return v;
 }
 
-// Joe and Kuo's new-joe-kuo-6, dimensions 2 to 4.
+// Dimension 1, and dimensions 2 to 4 of Joe and Kuo's new-joe-kuo-6.
 constexpr std::array<Directions, 4> tables = {van_der_corput(), directions({1, 0, {1, 0, 0}}),
                                               directions({2, 1, {1, 3, 0}}), directions({3, 1, {1, 3, 1}})};
 
-// What each byte of an index adds to the point: four look-ups instead of thirty-two tests.
+// Contribution of each byte of an index to the point: four lookups instead of 32 tests of bits.
 using Point = std::array<std::uint32_t, 4>;
 using ByteTables = std::array<std::array<Point, 256>, 4>;
 
@@ -84,7 +85,8 @@ std::array<std::uint32_t, 4> sobol(std::uint32_t index)
 
 std::uint32_t owen_scrambled(std::uint32_t fraction, std::uint32_t seed)
 {
-    // Multiplying by even numbers carries upwards only: reversed, each bit depends on those more significant.
+    // A product with an even number changes a bit only by less significant ones. Because the bits are reversed, each
+    // bit of the fraction depends on more significant ones alone.
     std::uint32_t x = reversed(fraction) + seed;
     x ^= x * 0x6c50b47cu;
     x ^= x * 0xb82f1e52u;
@@ -96,7 +98,7 @@ std::uint32_t owen_scrambled(std::uint32_t fraction, std::uint32_t seed)
 std::array<double, 4> SampleSequence::next4()
 {
     const std::uint32_t seed = mixed(sequence_, ++dimension_);
-    // The order of the points is scrambled too, or the dimensions would go in step.
+    // The order of points is scrambled too, because otherwise all calls would use the same points in the same order.
     const std::uint32_t shuffled = owen_scrambled(index_, seed);
     const std::array<std::uint32_t, 4> point = sobol(shuffled);
     std::array<double, 4> u;

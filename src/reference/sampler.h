@@ -1,4 +1,4 @@
-// Random numbers that are spread evenly: Owen-scrambled Sobol points, and plain ones for decisions.
+// Evenly distributed random numbers (Owen-scrambled Sobol points), and independent ones for decisions.
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 
 namespace lambent::reference {
 
-/// A well mixed 32-bit number of two. [O'Neill 2014, PCG, output function RXS-M-XS]
+/// Hash of two 32-bit numbers. [O'Neill 2014, PCG, output function RXS-M-XS]
 inline std::uint32_t mixed(std::uint32_t a, std::uint32_t b)
 {
     std::uint32_t state = (a ^ (b * 0x9e3779b9u + 0x7f4a7c15u)) * 747796405u + 2891336453u;
@@ -14,25 +14,25 @@ inline std::uint32_t mixed(std::uint32_t a, std::uint32_t b)
     return (state >> 22) ^ state;
 }
 
-/// Point `index` of the first four Sobol dimensions, each from 0 to 2^32 - 1. Any 2^k consecutive points that start at
-/// a multiple of 2^k are spread evenly in every dimension, and in the first two together.
-/// [Sobol 1967; direction numbers: Joe and Kuo 2008]
+/// Point `index` in the first four Sobol dimensions, each from 0 to 2^32 - 1. Any 2^k consecutive points that start
+/// at a multiple of 2^k are evenly distributed in every dimension, and in the first two together. [Sobol 1967;
+/// direction numbers: Joe and Kuo 2008]
 std::array<std::uint32_t, 4> sobol(std::uint32_t index);
 
 /// Nested uniform scrambling of a 32-bit fraction. [Owen 1995; as a hash: Laine and Karras 2011, "Stratified sampling
 /// for stochastic transparency"; its use: Burley 2020, "Practical hash-based Owen scrambling", JCGT 9(4)]
 std::uint32_t owen_scrambled(std::uint32_t fraction, std::uint32_t seed);
 
-/// The numbers of one sample of one pixel. Each call of next4() is another four dimensions; what shares a `sequence`
-/// is spread evenly over `index` = 0, 1, 2 ..., what does not is independent.
+/// Random numbers of one sample of a pixel. Each call of next4() uses another four dimensions. Samples of one
+/// `sequence` are evenly distributed over `index` = 0, 1, 2 ...; samples of different sequences are independent.
 class SampleSequence {
 public:
     SampleSequence(std::uint32_t sequence, std::uint32_t index) : sequence_(sequence), index_(index) {}
 
-    /// Each in [0, 1), evenly spread over the indices of the sequence.
+    /// Four numbers in [0, 1), evenly distributed over the indices of the sequence.
     std::array<double, 4> next4();
 
-    /// In [0, 1), independent of everything.
+    /// A number in [0, 1), independent of all others.
     double random();
 
 private:

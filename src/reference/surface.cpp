@@ -12,7 +12,7 @@
 namespace lambent::reference {
 namespace {
 
-// As the renderers have it: a normal that faces further away is bent towards the viewer.
+// Least cosine between a shading normal and the view, as in the renderers: other normals are bent towards the viewer.
 constexpr double least_view_cosine = 1.0e-3;
 
 in_double::Texel texel(const glm::dvec4& v)
@@ -121,13 +121,13 @@ double Surfaces::opacity(const trace::Hit& hit) const
     return std::clamp(alpha, 0.0, 1.0);
 }
 
-// In the world, on the side that the mesh's own normals are on.
+// Interpolated normal in world space, on the side of the mesh's own normals.
 glm::dvec3 Surfaces::mesh_normal(const Placed& placed, const Corners& c) const
 {
     return unit_or(placed.normals * c.of(c.mesh.normals), glm::dvec3(0.0, 1.0, 0.0));
 }
 
-// The same with a map, if there is one. [glTF 2.0, 3.9.3]
+// The same with the normal map applied, if there is one. [glTF 2.0, 3.9.3]
 glm::dvec3 Surfaces::mapped_normal(const Placed& placed, const Corners& c, const NormalMap& map) const
 {
     const glm::dvec3 normal = mesh_normal(placed, c);
@@ -156,7 +156,7 @@ void Surfaces::fill_phong(const scene::Material& material, Surface& surface) con
     surface.phong.exponent = given.exponent ? static_cast<double>(*given.exponent) : made.exponent;
 }
 
-// Opacity is asked for apart, by rays that meet a surface: here it is 1.
+// The material's opacity is set to 1, because rays ask for it separately, by opacity().
 void Surfaces::fill_material(const Placed& placed, const Corners& c, Surface& surface) const
 {
     const scene::Material& m = *placed.material;

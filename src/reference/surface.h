@@ -1,4 +1,4 @@
-// What a ray has met: the point, its normals and its material, from the scene's own data.
+// Surface points at the hits of rays: position, normals and material, from the scene's own data.
 #pragma once
 
 #include "reference/material.h"
@@ -11,21 +11,22 @@
 
 namespace lambent::reference {
 
-/// A scene with the few numbers per instance that every hit needs. The scene must outlive it.
+/// A scene with the data of each instance that every hit needs. The scene must outlive it.
 class Surfaces {
 public:
-    /// `roughness`: perceptual, of every surface, instead of its own. `lines`: the scene's points and lines as triangles, in
-    /// the instances that show some; none: they are not there. It must outlive this, too.
+    /// `roughness`: perceptual roughness of every surface, in place of its own. `lines`: a scene with the same
+    /// instances, whose points and lines are triangles; null: the picture shows none. It must outlive this object
+    /// too.
     Surfaces(const scene::Scene& scene, view::Model model, view::TexelTransfer transfer,
              std::optional<float> roughness = std::nullopt, const scene::Scene* lines = nullptr);
 
-    /// The point that a ray of unit direction has met.
+    /// The surface point of a hit, for a ray of unit direction.
     Surface at(const trace::Hit& hit, const glm::dvec3& direction) const;
 
-    /// Whether rays of sight that meet this go on: the back of a surface that has only a front.
+    /// Whether camera rays pass through this hit, because it is the back of a one-sided surface.
     bool is_culled(const trace::Hit& hit) const;
 
-    /// Share of the surface that is there, 0 to 1, by its material's alpha. 1 without a look at textures where opaque.
+    /// Opacity of the surface, 0 to 1, by its material's alpha. 1 for opaque materials, whose textures are not read.
     double opacity(const trace::Hit& hit) const;
 
 private:
@@ -33,11 +34,11 @@ private:
         const scene::Mesh* mesh;
         const scene::Material* material;
         glm::mat4 transform;
-        glm::dmat3 normals; ///< world from mesh, for normals
-        double handedness;  ///< -1: mirrored
-        bool is_line;       ///< which has no side but its normal's
+        glm::dmat3 normals; ///< transform of normals from mesh to world space
+        double handedness;  ///< -1 if the transform mirrors, else 1
+        bool is_line;       ///< points and lines, whose shading normal is their geometric normal too
     };
-    struct Corners; ///< a triangle and the weights of its corners
+    struct Corners; ///< a triangle and the barycentric weights of a point
     glm::dvec4 read(const scene::TextureUse& use, view::TexelTransfer transfer, const Corners& c) const;
     glm::dvec4 base_color(const Placed& placed, const Corners& c) const;
     struct NormalMap {

@@ -69,7 +69,7 @@ glm::dvec4 texel(const image::CodeImage& image, int x, int y, view::TexelTransfe
 glm::dvec4 read_texture(const image::CodeImage& image, const scene::Sampler& sampler,
                         view::TexelTransfer transfer, const glm::dvec2& uv)
 {
-    // Far outside of what anyone means, where whole numbers end.
+    // Limits coordinates so that texel indices fit 64-bit integers.
     const double x = std::clamp(uv.x * image.width, -1e15, 1e15) - 0.5;
     const double y = std::clamp(uv.y * image.height, -1e15, 1e15) - 0.5;
     const double left = sampler.magnify_nearest ? std::floor(x + 0.5) : std::floor(x);

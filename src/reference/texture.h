@@ -1,5 +1,5 @@
-// Textures as they are in the file: bilinear between texels, or the nearest one where the sampler magnifies so; without mip
-// maps. Pixels average many rays instead, which is what all minifying filters stand for.
+// Reads textures without mip maps: bilinear between texels, or the nearest texel if the sampler's magnification
+// filter asks for it. Each pixel averages many rays, which minification filters only approximate.
 #pragma once
 
 #include "scene/scene.h"
@@ -10,7 +10,7 @@
 
 namespace lambent::reference {
 
-/// Linear RGBA at texture coordinates, as the sampler and the transfer of colour codes say; alpha is linear always.
+/// Linear RGBA at texture coordinates. `transfer` decodes the colour codes; those of alpha are always linear.
 glm::dvec4 read_texture(const image::CodeImage& image, const scene::Sampler& sampler,
                         view::TexelTransfer transfer, const glm::dvec2& uv);
 

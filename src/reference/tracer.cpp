@@ -18,8 +18,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Each pixel's first rounds double its samples up to here: only then is the noise known well enough to stop by it and to
-// share samples. After that each round makes this many for one there is.
+// The first rounds double the samples of each pixel up to `settled`: only then is the noise known well enough to stop
+// at a limit and to distribute samples by it. Each later round multiplies the number of samples by `growth`.
 constexpr int settled = 2 * replicates;
 constexpr double growth = 1.5;
 
@@ -34,7 +34,7 @@ public:
     {
     }
 
-    /// As Tracing's.
+    /// See Tracing::advance.
     bool advance(const GoOn& go_on, Least least);
     bool has(Least least) const { return fewest_ >= static_cast<int>(least); }
 
@@ -56,14 +56,13 @@ private:
     const Settings& settings_;
     Lens lens_;
     Film film_;
-    const std::vector<int> order_; ///< of the tiles, in every round
-    std::vector<int>
-        wanted_; ///< samples per pixel of each tile, of the round that is under way; empty: none is
+    const std::vector<int> order_; ///< order of the tiles in every round
+    std::vector<int> wanted_;      ///< samples per pixel of each tile, for the current round; empty: none
     Clock::time_point start_ = Clock::now();
-    std::optional<Noise> noise_; ///< as of the last round
-    double samples_ = 0.0;       ///< likewise
-    int fewest_ = 0;             ///< likewise, of any pixel
-    double noise_seconds_ = 0.0; ///< when that was
+    std::optional<Noise> noise_; ///< after the last round
+    double samples_ = 0.0;       ///< per pixel, after the last round
+    int fewest_ = 0;             ///< samples of any pixel, after the last round
+    double noise_seconds_ = 0.0; ///< seconds from start_ to the end of the last round
     std::atomic<bool> stop_ = false, refused_ = false;
     std::atomic<std::uint64_t> broken_ = 0;
     std::mutex asking_;
@@ -97,7 +96,7 @@ Progress Tracer::progress() const
     Progress p;
     p.noise = noise_;
     p.samples = samples_;
-    // Of the ways to stop, the one that will come first.
+    // Progress towards the limit that will be reached first.
     p.done = now / settings_.seconds;
     if (samples_ > 0.0)
         p.done = std::max(p.done, samples_ / settings_.samples * (now / noise_seconds_));
@@ -119,8 +118,8 @@ void Tracer::ask(const GoOn& go_on, bool may_be_stopped, bool may_time_out)
         stop_ = true;
 }
 
-// What of it is done already is not done again. Tiles are taken one by one, whoever is free: wherever the round is
-// stopped, those that are done are scattered over the picture.
+// Skips the tiles that an interrupted round completed. Each free thread takes the next tile of the order, so that at
+// any interruption the completed tiles are spread over the picture.
 void Tracer::round(const GoOn& go_on, Least least)
 {
     const bool may_be_stopped = has(least), may_time_out = has(std::max(least, Least::one_sample));
@@ -139,7 +138,8 @@ void Tracer::round(const GoOn& go_on, Least least)
     noise_seconds_ = seconds();
 }
 
-// Half a round ends by time alone: its noise is that of no whole picture, and says nothing of what would have come.
+// During an interrupted round only the limit of time counts: the noise of a picture with some tiles refined is that of
+// no complete round.
 bool Tracer::reached_limit() const
 {
     if (seconds() >= settings_.seconds)
@@ -150,7 +150,8 @@ bool Tracer::reached_limit() const
            (settings_.noise > 0.0 && samples_ >= settled && film_.noise_at_most() <= settings_.noise);
 }
 
-// One sample everywhere, quickly: from then on there is a picture. Then what tells the variance, then ever more.
+// The first round takes one sample of each pixel, so that a picture exists early. The next ones double the samples
+// until the variance is known; later ones add ever more.
 std::vector<int> Tracer::next_counts() const
 {
     const std::size_t tiles = static_cast<std::size_t>(film_.tile_count());
@@ -186,12 +187,12 @@ bool Tracer::advance(const GoOn& go_on, Least least)
         if (refused_ && has(least))
             break;
         if (begins && !(samples_ > before))
-            return true; // nothing is left to be wanted
+            return true; // no tile needs more samples
     }
     return reached_limit() && is_enough();
 }
 
-// The points and lines of the picture. A panorama has none: it has no pixels that are as wide as others.
+// The picture's points and lines as triangles. Panoramas show none, because their pixels differ in width.
 std::optional<view::WidenedScene> lines_of(const scene::Scene& scene, const Settings& settings)
 {
     if (!scene::has_lines(scene) || settings.panorama_from)
@@ -203,7 +204,7 @@ std::optional<view::WidenedScene> lines_of(const scene::Scene& scene, const Sett
 
 } // namespace
 
-// What outlives the constructor: the tracer refers to all of it.
+// All data that the tracer refers to, and the tracer.
 struct Tracing::Parts {
     Parts(const scene::Scene& scene, const image::RadianceImage* panorama, const Settings& asked)
         : settings(asked), visibility(scene), lines(lines_of(scene, asked)),

@@ -1,4 +1,4 @@
-// The reference: a picture by path tracing, and how exact it is.
+// The reference renderer: a picture by path tracing, and its estimated noise.
 #pragma once
 
 #include "image/image.h"
@@ -15,54 +15,56 @@
 
 namespace lambent::reference {
 
-/// What to trace and when to stop: at whichever limit comes first, but never before each pixel has one sample. Rounds of
-/// 1, 2, 4, 8, 16 and ever more samples go over the whole picture, each round's tiles scattered over it.
+/// What to trace and when to stop: at the first limit reached, but never before each pixel has one sample. Rounds
+/// bring the whole picture to 1, 2, 4, 8, 16 and ever more samples per pixel, each in an order of tiles that is
+/// spread over the picture.
 struct Settings : view::Picture {
-    int bounces =
-        8; ///< 0: direct light, no shadows (what image based lighting approximates); 1: with shadows
-    std::optional<glm::vec3> panorama_from; ///< all directions from here instead of the camera's picture
+    /// 0: direct light without shadows, which image based lighting approximates; 1: with shadows.
+    int bounces = 8;
+    std::optional<glm::vec3> panorama_from; ///< all directions from this point, not the camera's picture
     Strategy strategy = Strategy::both;
-    int samples = 1 << 20; ///< per pixel, on average
-    double noise = 0.0;    ///< estimated relative RMSE over covered pixels, see Noise; 0: no limit
-    /// Radiance above this counts as this in all that is said of noise: what is brighter than a display's white would
-    /// outweigh everything else. Above 0.
+    int samples = 1 << 20; ///< limit per pixel, on average
+    double noise = 0.0;    ///< limit of the estimated relative RMSE over covered pixels (Noise); 0: none
+    /// Radiance above this counts as this in all estimates of noise, because pixels brighter than a display's white
+    /// would outweigh all others. Above 0.
     double cut = std::numeric_limits<double>::infinity();
-    double seconds = std::numeric_limits<double>::infinity();
-    /// Noisy parts get more samples than quiet ones. The numbers of samples then depend on what was seen, which pulls
-    /// values towards less by a small part of the noise. [Kirk and Arvo 1991] Without it, none of that.
+    double seconds = std::numeric_limits<double>::infinity(); ///< limit of time
+    /// Whether noisy tiles get more samples than others. The numbers of samples then depend on the samples, which
+    /// biases values downwards by a small part of the noise. [Kirk and Arvo 1991]
     bool adaptive = false;
     std::uint32_t seed = 0;
 };
 
 struct Progress {
-    double done = 0.0;          ///< of the way to the first limit, 0 to 1
-    std::optional<Noise> noise; ///< as of the last round, where it is known: see Film::noise
-    double samples = 0.0;       ///< per pixel, likewise
+    double done = 0.0;          ///< progress towards the first limit, 0 to 1
+    std::optional<Noise> noise; ///< after the last round, if it is known: see Film::noise
+    double samples = 0.0;       ///< per pixel, after the last round
     double seconds_left = 0.0;
 };
 
 struct Result {
     image::RadianceImage radiance; ///< RGBA before exposure and tone curve; alpha is coverage by surfaces
-    image::RadianceImage variance; ///< RGB: of each value of `radiance`, not cut; infinite after one sample
-    std::optional<Noise> noise;    ///< where it is known: see Film::noise
+    image::RadianceImage variance; ///< RGB, of each value of `radiance`, not cut; infinite after one sample
+    std::optional<Noise> noise;    ///< if it is known: see Film::noise
     double samples = 0.0;          ///< per pixel, on average
-    std::uint64_t broken = 0;      ///< samples that were no number and count as black
-    bool stopped = false;          ///< by `go_on`
+    std::uint64_t broken = 0;      ///< samples that were not finite and count as black
+    bool stopped = false;          ///< whether `go_on` returned false
 };
 
-/// Asked now and then, by one thread at a time, whether to go on.
+/// Called repeatedly, by one thread at a time; returns whether to continue.
 using GoOn = std::function<bool(const Progress&)>;
 
-/// What a tracing must have done before it may be stopped: nothing, or so many samples of each pixel; two tell the noise.
+/// What must be complete before tracing may be stopped: nothing, or one or two samples of each pixel. Two give the
+/// noise.
 enum class Least { nothing, one_sample, two_samples };
 
-/// Paths through the scene under a panorama (RGB, finite, not negative, 2x1 or more; null: darkness). After `go_on` says
-/// false, what there is is returned, though not before `least` is done.
-/// Same rays, and same box filter over pixels, as draw/. Throws Error(no_device) where Embree does not run.
+/// Traces a scene lit by a panorama (RGB, finite, not negative, 2x1 or more; null: black). After `go_on` returned
+/// false, the result so far is returned, though not before `least` is complete. Camera rays, and the box filter over
+/// pixels, are those of draw/. Throws Error(no_device) where Embree does not run.
 Result trace(const scene::Scene& scene, const image::RadianceImage* panorama, const Settings& settings,
              const GoOn& go_on = {}, Least least = Least::one_sample);
 
-/// The same bit by bit: for those who look at it meanwhile.
+/// The same in steps, for programs that show intermediate results.
 class Tracing {
 public:
     /// Scene and panorama must outlive it. Throws as trace().
@@ -71,15 +73,16 @@ public:
     Tracing(const Tracing&) = delete;
     Tracing& operator=(const Tracing&) = delete;
 
-    /// Goes on until a limit is reached, which it returns, or, at least one tile, until `go_on` says false; neither before
-    /// `least` is done. Nothing is lost by stopping: the samples are those of a trace() that was not stopped. What `go_on` throws is
-    /// passed on; then this is of no more use.
+    /// Traces until a limit is reached, or until `go_on` returns false after at least one tile; neither before
+    /// `least` is complete. Returns whether a limit was reached. Stopping loses nothing: the samples are those of a
+    /// trace() that was not stopped. Exceptions of `go_on` are passed on; afterwards the object cannot be used any
+    /// more.
     bool advance(const GoOn& go_on, Least least);
 
-    /// Whether each pixel has a sample.
+    /// Whether each pixel has at least one sample.
     bool has_picture() const;
 
-    /// What there is so far, once there is a picture.
+    /// The result so far. Requires has_picture().
     Result result() const;
 
 private:

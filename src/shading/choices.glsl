@@ -1,10 +1,10 @@
-// How a picture is lit, as numbers that C++ and shaders agree on.
+// Settings of lighting, as numbers shared by C++ and shaders.
 #define BASE(name, number, layered) const int model_##name = number;
 #include "shading/passes/bases.h"
 const int levels_matched = 0;
 const int levels_report = 1;
-const int levels_pipeline = 2; // the report's, in its own order of things
-const int alpha_opaque = 0; // how a material's alpha is taken [glTF 2.0, 3.9.4]
+const int levels_pipeline = 2; // the report's, in its own order of operations
+const int alpha_opaque = 0; // alpha modes of a material [glTF 2.0, 3.9.4]
 const int alpha_mask = 1;
 const int alpha_blend = 2;
 const int background_none = 0;

@@ -1,22 +1,23 @@
-// The columns of the G-buffer: what the passes leave each other of every fragment. A number is a column, a vector three in a
-// row.
-const int column_position = 0; // in the world, metres
+// Columns of the G-buffer: the values of every fragment that one pass stores and others load. A number takes one
+// column, a vector three consecutive ones.
+const int column_position = 0; // in world space, metres
 const int column_view = 3;     // towards the viewer
-const int column_depth = 6;    // metres from where the ray starts
-const int column_lit = 7;      // 0: unlit, no pass gives it light
+const int column_depth = 6;    // distance from the ray's origin, metres
+const int column_lit = 7;      // 0: unlit, no pass adds light
 const int column_diffuse = 8;  // the report's Kd
-const int column_specular = 11; // the report's Ks; else reflectance at normal incidence, for looking at
+const int column_specular = 11; // the report's Ks; else reflectance at normal incidence, for display as a layer
 const int column_exponent = 14; // the report's
 
-// Light.
+// Results of the light passes.
 const int column_direct = 15;
 const int column_irradiance = 18;
 const int column_ambient = 21;
 const int column_reflected = 24;
-const int column_middle_level = 27; // where layers are asked for: of the mips read in the lobe's middle, as a part of the highest
+const int column_middle_level = 27; // if layers are requested: mip level read at the lobe's centre / highest
 const int columns_of_light_end = 28;
 
-// For the base and each lobe over it: shading normal, facing the viewer, and how the mirrored direction changes in a pixel.
+// For the base and each lobe over it: shading normal, facing the viewer, and changes of the mirrored direction in a
+// pixel.
 const int column_shine = 28;
 const int columns_per_shine = 9;
 

@@ -1,4 +1,4 @@
-// The passes of light. Included after numbers.glsl, all.glsl and the hooks.
+// The light passes. Included after numbers.glsl, all.glsl and the hooks.
 #include "shading/lobes/albedo.glsl"
 #include "shading/lobes/layers.glsl"
 #include "shading/passes/gbuffer.glsl"

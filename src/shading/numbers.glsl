@@ -1,4 +1,4 @@
-// What C++ and shaders agree on, before anything else of this folder.
+// Constants shared by C++ and shaders. Included before all other files of this folder.
 #include "shading/choices.glsl"
 #include "shading/material/numbers.glsl"
 #include "shading/columns.glsl"

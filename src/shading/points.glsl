@@ -1,4 +1,4 @@
-// What needs no hooks: a point of a surface.
+// Surface points: code that needs no hooks.
 #include "shading/material/material.glsl"
 #include "shading/surface/pixel.glsl"
 #include "shading/surface/texture.glsl"

@@ -1,8 +1,8 @@
-// The directional albedo of GGX by the table of src/albedo. Hook: see README.md.
-const int albedo_points = 64; // along either axis of the table
+// The directional albedo of GGX, from the table of src/albedo. Hook: albedo_entry, see README.md.
+const int albedo_points = 64; // entries along each axis of the table
 
-// Its two parts at a cosine and alpha (equations/energy.glsl), between the table's points. Witness: quadrature of the table's
-// own definition, in double (tests/environment).
+// The two parts of the albedo (equations/energy.glsl) at a cosine and alpha, interpolated between the table's entries.
+// Witness: quadrature of the table's definition, in double (tests/environment).
 vec2 albedo_of(Real NV, Real alpha)
 {
     Real last = Real(albedo_points - 1);

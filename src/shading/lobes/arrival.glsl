@@ -1,6 +1,6 @@
-// Light of sources without size, as it arrives at a point. Needs no hooks.
+// Light that arrives at a point from sources without size. Needs no hooks.
 
-// A light at a place; a spot when cos_outer > -1. axis is the way the light travels.
+// A point light, or a spot light if cos_outer > -1. axis: the direction in which its light travels.
 struct LocalLight {
     vec3 position;
     vec3 intensity; // candela
@@ -10,13 +10,13 @@ struct LocalLight {
     Real cos_outer;
 };
 
-// Light as it arrives at a point: where it comes from, and how much through a surface facing it, in lux.
+// Light that arrives at a point: the direction towards its source, and the illuminance in lux of a surface facing it.
 struct Arrival {
     vec3 direction;
     vec3 illuminance;
 };
 
-// Light of a lamp at a point. Witness: the inverse square and the cone, in closed form.
+// Light of a point or spot light. Witness: the inverse square and the cone, in closed form (tests/equations).
 Arrival arrival_from(LocalLight light, vec3 point)
 {
     vec3 way = light.position - point;
@@ -27,8 +27,8 @@ Arrival arrival_from(LocalLight light, vec3 point)
     return a;
 }
 
-// Light of a lamp at a place, where `local` is not 0, or of one infinitely far away that lights all points alike.
-// Witness: both.
+// Light of a point or spot light if `local` is not 0, else of a directional light, which is the same at all points.
+// Witness: both cases in closed form (tests/equations).
 Arrival arrival_of(LocalLight light, int local, vec3 point)
 {
     Arrival a = {-light.axis, light.intensity};

@@ -1,7 +1,7 @@
-// What surfaces send to the viewer of light of sources without size. Hook: has_stretch, see README.md.
+// Reflection of light from sources without size. Hook: has_stretch, see README.md.
 
-// What a surface sends towards V of light that arrives: BRDF times illuminance times the cosine. Witness: an independent GGX in double
-// (tests/draw).
+// Arriving light that a surface reflects towards V: BRDF times illuminance times the cosine.
+// Witness: an independent GGX in double (tests/draw).
 vec3 direct_metallic(Metallic m, vec2 albedo, vec3 N, vec3 V, Arrival a)
 {
     Real NL = dot(N, a.direction);
@@ -14,7 +14,7 @@ vec3 direct_metallic(Metallic m, vec2 albedo, vec3 N, vec3 V, Arrival a)
     return select(NL > 0.0, (NL * f) * a.illuminance, vec3(0.0));
 }
 
-// The same with the report's BRDF. Witness: its closed form at 60 degrees and head on (tests/draw).
+// The same with the report's BRDF. Witness: its closed form at 60 degrees and at normal incidence (tests/draw).
 vec3 direct_phong(Phong p, vec3 N, vec3 V, Arrival a)
 {
     Real NL = dot(N, a.direction);
@@ -22,10 +22,10 @@ vec3 direct_phong(Phong p, vec3 N, vec3 V, Arrival a)
     return select(NL > 0.0, (NL * f) * a.illuminance, vec3(0.0));
 }
 
-// Whether light from L may make a highlight that is narrower than what the surface mirrors within the pixel, so that one
-// look through the middle may miss it, or take it for all of the pixel. A lobe of roughness alpha is about 2 alpha wide
-// in mirrored directions; of two numbers the smaller says how narrow it is, the larger how far it reaches. Witness: both sides
-// of either bound.
+// Whether light from L may cause a highlight narrower than the directions that the surface mirrors within the pixel.
+// One sample at the pixel's centre could then miss it, or show it in the whole pixel. A lobe of roughness alpha is
+// about 2 alpha wide in mirrored directions; of two alphas the smaller says how narrow it is, the larger how far it
+// reaches. Witness: both sides of each bound (tests/equations).
 Mask hides_highlight(ShinyPoint s, vec2 alpha, vec3 L)
 {
     Real turn2 = dot(s.mirrored_dx, s.mirrored_dx) + dot(s.mirrored_dy, s.mirrored_dy);
@@ -35,9 +35,10 @@ Mask hides_highlight(ShinyPoint s, vec2 alpha, vec3 L)
     return turn2 > narrow * narrow && dot(off, off) < reach * reach;
 }
 
-// The normal at look i of 64 in the pixel, eight by eight: for a viewer who does not move, the one that mirrors as the surface
-// does there. Nothing mirrored goes below the horizon: a pixel at a rim is wider than what is seen of the surface in it.
-// Witness: its mirrored directions have the pixel's middle and variance.
+// The normal of sample i of 64 in the pixel, eight by eight: the one that mirrors the view of the pixel's centre to the
+// direction that the surface mirrors at the sample's position. Mirrored directions stay above the horizon, because at a
+// silhouette the pixel is wider than the surface visible in it.
+// Witness: mean and variance of the mirrored directions are the pixel's (tests/equations).
 vec3 normal_of_look(ShinyPoint s, int i)
 {
     Real x = 0.125 * Real(i % 8) - 0.4375;
@@ -46,7 +47,8 @@ vec3 normal_of_look(ShinyPoint s, int i)
     return normalize(s.view + normalize(way + max(-dot(s.normal, way), 0.0) * s.normal));
 }
 
-// A material whose lobe is as wide as its own and so much of a pixel together. Witness: alpha_in_pixel's.
+// The material with its lobe widened by the change of mirrored directions over a pixel.
+// Witness: that of alpha_in_pixel.
 Metallic widened(Metallic m, vec3 mirrored_dx, vec3 mirrored_dy)
 {
     Metallic wide = m;
@@ -56,8 +58,9 @@ Metallic widened(Metallic m, vec3 mirrored_dx, vec3 mirrored_dy)
     return wide;
 }
 
-// direct_metallic averaged over the pixel: by one look at a lobe that is as wide as lobe and pixel, or where that hides a
-// highlight by 64 looks, each of an eighth of the width. Witness: quadrature over the pixel.
+// direct_metallic averaged over the pixel: one sample of the lobe widened by the pixel, or, for highlights narrower
+// than the pixel, 64 samples, each of the lobe widened by an eighth of the pixel.
+// Witness: quadrature over the pixel (tests/equations).
 vec3 direct_metallic_in_pixel(Metallic m, vec2 albedo, ShinyPoint s, Arrival a)
 {
     vec3 once = direct_metallic(widened(m, s.mirrored_dx, s.mirrored_dy), albedo, s.normal, s.view, a);
@@ -65,7 +68,8 @@ vec3 direct_metallic_in_pixel(Metallic m, vec2 albedo, ShinyPoint s, Arrival a)
     if (any_of(hidden)) {
         Metallic narrow = widened(m, 0.125 * s.mirrored_dx, 0.125 * s.mirrored_dy);
         vec3 sum = vec3(0.0);
-        // In fours: some software devices end all loops after 65535 rounds together, which a thousand lights would use up.
+        // Four samples in each iteration: some software devices end all loops after 65535 iterations in total, which
+        // a thousand lights would exceed.
         for (int i = 0; i < 64; i += 4)
             sum += direct_metallic(narrow, albedo, normal_of_look(s, i), s.view, a) +
                    direct_metallic(narrow, albedo, normal_of_look(s, i + 1), s.view, a) +
@@ -76,7 +80,8 @@ vec3 direct_metallic_in_pixel(Metallic m, vec2 albedo, ShinyPoint s, Arrival a)
     return once;
 }
 
-// The same of direct_phong; its lobe is widened for the 64 looks alone. Witness: as before.
+// The same for direct_phong, whose lobe is widened for the 64 samples only.
+// Witness: quadrature over the pixel (tests/equations).
 vec3 direct_phong_in_pixel(Phong p, ShinyPoint s, Arrival a)
 {
     vec3 once = direct_phong(p, s.normal, s.view, a);

@@ -1,7 +1,8 @@
-// Light from the environment reflected by GGX facets, N samples. Hooks: see README.md.
+// Light of the environment reflected by GGX facets, from N samples. Hooks: see README.md.
 
-// A point that mirrors, what is across for the viewer (any direction but the view, the same for a whole picture), alpha along
-// the tangent and the bitangent, the tangent (not read where both are the same), and the directional albedo (energy.glsl).
+// A surface point that reflects the environment. across: the camera's right direction, or any other that is not the
+// view and the same for a whole picture; alpha: along the tangent and along the bitangent; tangent: not read if both
+// are equal; albedo: the directional albedo (equations/energy.glsl).
 struct Mirror {
     ShinyPoint at;
     vec3 across;
@@ -10,7 +11,8 @@ struct Mirror {
     vec2 albedo;
 };
 
-// The frame in which a mirror's lobe is sampled: by its tangent where it is stretched. Witness: specular_ggx's.
+// The frame in which the lobe is sampled, along its tangent if it has two different alphas.
+// Witness: that of specular_ggx.
 mat3 mirror_frame(Mirror m)
 {
     if (has_stretch() != 0 && any_of(is_stretched(m.alpha)))
@@ -18,15 +20,16 @@ mat3 mirror_frame(Mirror m)
     return carried_frame(m.at.normal, m.at.view, m.across);
 }
 
-// Radiance averaged over the lobe with Schlick's weight (grazing) and with what that leaves (plain): what
-// reflectance_metallic asks for.
+// Radiance averaged over the lobe, weighted by Schlick's weight (grazing) and by one minus it (plain), as
+// reflectance_metallic needs it.
 struct LobeLight {
     vec3 plain;
     vec3 grazing;
 };
 
-// How a lobe is sampled, for all its samples: view in the surface's frame; the lobe whose facets are drawn, wider than
-// the surface's own; the share of them that is drawn.
+// Data of a lobe that all its samples share. view: in the surface's frame; alpha: of the surface; wide_alpha: of the
+// wider lobe from which facets are drawn; stretched: the view in the stretched space of wide_alpha; reach: share of
+// the facets that is drawn.
 struct LobeSampling {
     vec3 view;
     vec2 alpha;
@@ -34,14 +37,14 @@ struct LobeSampling {
     vec2 wide_alpha;
     vec3 stretched;
     Real reach;
-    Real variance;   // of the blur at a facet of spread 1, square radians
-    Real sharpening; // half of it over wide_alpha^4, times wide_alpha^2 - alpha^2, both as the product of the two numbers
+    Real variance;   // of the blur of a sample whose facet has spread 1, square radians
+    Real sharpening; // variance / 2 (wide_alpha^2 - alpha^2) / wide_alpha^4; squares are products of the two alphas
 };
 
-// The lobe of alpha as N samples see it, per_sample = 1 / N. Facets are drawn from one up to 1.25 times as wide: what
-// is seen of a lamp that is brighter than white is the tail of the lobe, where else there would be too few. (At 1.42 errors
-// under suns cut off at white are 5 to 8 % less, and under one that is not up to half as much again.)
-// Witness: lobe_sample's.
+// Prepares N samples of the lobe of alpha, per_sample = 1 / N. Facets are drawn from a lobe up to 1.25 times as wide:
+// of a lamp brighter than white the lobe's tail is visible, where there would otherwise be too few samples. (With
+// 1.42, errors under suns cut off at white are 5 to 8 % smaller, and under a sun that is not cut off up to half as
+// large again.) Witness: that of lobe_sample.
 LobeSampling lobe_sampling(vec3 view, vec2 alpha, Real per_sample)
 {
     vec2 wide = vec2(alpha.x * (1.25 - 0.25 * alpha.x), alpha.y * (1.25 - 0.25 * alpha.y));
@@ -61,7 +64,7 @@ LobeSampling lobe_sampling(vec3 view, vec2 alpha, Real per_sample)
 }
 
 // One sample: the mirrored direction in the surface's frame, of length `size`; its weight in the mean, without the
-// factor that all samples share; Schlick's weight; the variance of its blur in square radians.
+// factor common to all samples; Schlick's weight; the variance of its blur in square radians.
 struct LobeSample {
     vec3 direction;
     Real size;
@@ -70,7 +73,7 @@ struct LobeSample {
     Real variance;
 };
 
-// smith_ggx of the view mirrored by a facet, whose cosine is NL. Witness: lobe_sample's.
+// smith_ggx of the direction that facet n mirrors the view to, whose cosine is NL. Witness: that of lobe_sample.
 Real smith_of_mirrored(LobeSampling s, vec3 n, Real VH, Real NL)
 {
     if (has_stretch() != 0)
@@ -78,11 +81,12 @@ Real smith_of_mirrored(LobeSampling s, vec3 n, Real VH, Real NL)
     return smith_ggx(NL, s.alpha.x);
 }
 
-// Blurring the samples spreads the lobe. Where the density of samples times the blur's variance s^2 is the same
-// everywhere, as here, what flows out of a place is 1/2 s^2 times the gradient of their weight w: so the samples are
-// moved up by 1/2 s^2 grad(log w), and the blur carries them back. That gradient is the cosine's, which lifts
-// directions off the horizon, and the wider lobe's, which narrows the facets' slopes.
-// [stationary flux of diffusion: Fick 1855] Witness: first moments of the blurred samples, by quadrature.
+// Blurring the samples spreads the lobe. Here the density of samples times the variance s^2 of their blur is
+// constant, so that the blur moves light down the gradient of the samples' weight w by 1/2 s^2 times this gradient.
+// Samples are therefore moved up by 1/2 s^2 grad(log w), and the blur moves their light back. The gradient is the sum
+// of the cosine's, which lifts directions off the horizon, and the wider lobe's, which reduces the facets' slopes.
+// [stationary flux of diffusion: Fick 1855]
+// Witness: first moments of the blurred samples, by quadrature (tests/equations).
 LobeSample lobe_sample(LobeSampling s, vec3 point)
 {
     VisibleFacet facet = sample_visible_ggx(s.stretched, s.wide_alpha, vec3(s.reach * point.x, point.y, point.z));
@@ -92,11 +96,10 @@ LobeSample lobe_sample(LobeSampling s, vec3 point)
     Real sine2 = n.x * n.x + n.y * n.y;
     Real cosine2 = n.z * n.z;
     Real VH = dot(s.view, n);
-    // Nothing is reflected from below the horizon: this little amount keeps the mean defined where all samples are
-    // such.
+    // Samples below the horizon reflect nothing; this small cosine keeps the mean defined if all samples are below it.
     Real NL = max(2.0 * VH * n.z - s.view.z, 1.0e-4);
     Real SL = smith_of_mirrored(s, n, VH, NL);
-    // What is divided by: the lobe's slope, shadowing, the lift. One division does for the three.
+    // The divisors of the lobe's slope, of shadowing and of the lift share one division.
     Real slope = max(slope_of(n, sine2, cosine2, s.alpha), 1.0e-12);
     Real both = NL * s.SV + s.view.z * SL;
     Real room = max(NL * SL * both, 3.0e-3);
@@ -112,22 +115,22 @@ LobeSample lobe_sample(LobeSampling s, vec3 point)
     return result;
 }
 
-// What a lobe sends on of light from direction L, in the surface's frame, in LobeLight's two parts before they are divided
-// by the albedo; and the variance of the blur that a sample there would be read through. Where the pixel sees the mirrored
-// picture wider than the lobe is, the lobe is cut off at 1 / cut.
+// Reflection of light from one direction: LobeLight's two parts before division by the albedo, and the variance of
+// the blur of a sample in that direction.
 struct LampWeights {
     vec2 parts;
     Real variance;
 };
 
-// Witness: brdf_metallic.
+// Reflection of light from direction L, in the surface's frame. The lobe's value is limited smoothly to 1 / cut, for
+// pixels whose mirrored directions spread wider than the lobe. Witness: brdf_metallic.
 LampWeights lamp_weights(LobeSampling s, vec3 L, Real cut)
 {
     vec3 sum = L + s.view;
     Real length2 = max(dot(sum, sum), 4.0e-6);
     Real inverse = inversesqrt(length2);
     Real NL = max(L.z, 0.0);
-    // Not from the cosine: its rounding is as large as the square of a narrow lobe's sine.
+    // Not 1 - cosine2, whose rounding error is as large as the squared sine of a narrow lobe.
     Real sine2 = (sum.x * sum.x + sum.y * sum.y) * inverse * inverse;
     Real cosine2 = sum.z * sum.z * inverse * inverse;
     Real a2 = s.alpha.x * s.alpha.y;
@@ -146,9 +149,10 @@ LampWeights lamp_weights(LobeSampling s, vec3 L, Real cut)
     return w;
 }
 
-// The lamps' light, to the extent that the chain is without it where a sample would read it: through the lobe, and, as far
-// as the pixel is wider than that (pixel_share of 1), through the pixel. shared_variance is what all samples are blurred by.
-// Witness: lamps all around are a white sky.
+// Light of the lamps, as far as the level that a sample in their direction reads does not contain them. They are seen
+// through the lobe and, with weight growing with pixel_share (0 to 1: how much wider the pixel is than the lobe),
+// through the pixel's footprint. shared_variance: of the blur common to all samples.
+// Witness: a sky full of lamps gives the radiance of a white sky (tests/equations).
 LobeLight lamps_ggx(Environment environment, Mirror m, LobeSampling s, Real pixel_share, Real shared_variance)
 {
     mat3 frame = mirror_frame(m);
@@ -175,27 +179,29 @@ LobeLight lamps_ggx(Environment environment, Mirror m, LobeSampling s, Real pixe
     return sum;
 }
 
-// The level at which a sample is read: the blur of lobe and pixel. per_level is 1 / v1. Witness: specular_ggx's.
+// The level at which a sample is read, for the blur of lobe and pixel together. per_level is 1 / v1, with v1 the
+// angular variance of level 1. Witness: that of specular_ggx.
 Real matched_level_ggx(Real variance, PixelBlur pixel, Real per_level)
 {
     return level_of_variance((variance + pixel.variance) * per_level);
 }
 
-// The level at which a sample in the lobe's middle is read, for looking at: there the facet faces along the normal, and its
-// spread is 1. Witness: levels by the density of visible normals there (tests/draw).
+// The level at which a sample at the lobe's centre is read, for display as a layer: there the facet faces along the
+// normal, and its spread is 1. Witness: levels by the density of visible normals there (tests/draw).
 Real middle_level_ggx(Environment environment, Mirror m)
 {
     mat3 frame = mirror_frame(m);
     Real per_sample = 1.0 / Real(sample_count(environment));
     LobeSampling lobe = lobe_sampling(in_frame(frame, m.at.view), m.alpha, per_sample);
-    return matched_level_ggx(lobe.variance, pixel_blur(m.at, lobe.variance, per_sample), 1.0 / level_one_variance(environment));
+    return matched_level_ggx(lobe.variance, pixel_blur(m.at, lobe.variance, per_sample),
+                             1.0 / level_one_variance(environment));
 }
 
-// Directions are drawn from visible normals, each moved to its own place in the pixel, and read through a blur as
-// wide as the share of lobe and pixel that it stands for. The means are weighted and divided by the sum of the
-// weights: a constant environment gives exactly itself for every N, and the energy is in the albedo table.
+// Directions are sampled from visible normals, each at its own position in the pixel, and read through a blur as wide
+// as the share of lobe and pixel that the sample represents. Means are weighted and divided by the sum of weights: a
+// constant environment gives exactly its radiance for every N, and the reflected energy is in the albedo table.
 // [visible normals: Dupuy and Benyoub 2023; filtered samples: Krivanek and Colbert 2008, "Real-time shading with
-// filtered importance sampling"] Witness: tests/draw, against brute force over every texel in double.
+// filtered importance sampling"] Witness: the sum over every texel, in double (tests/draw).
 LobeLight specular_ggx(Environment environment, Mirror m)
 {
     mat3 frame = mirror_frame(m);
@@ -208,7 +214,7 @@ LobeLight specular_ggx(Environment environment, Mirror m)
     Real grazing_weight = 0.0;
     for (int i = 0; i < sample_count(environment); ++i) {
         LobeSample s = lobe_sample(lobe, cap_point(environment, i));
-        // Schlick's weight is 0 head on; the mean has to stay defined there too.
+        // Schlick's weight is 0 at normal incidence, where the mean must stay defined.
         Real weight_grazing = s.weight * max(s.grazing, 1.0e-6);
         Real weight_plain = s.weight - weight_grazing;
         vec2 place = s.size * pixel.moved * pixel_point(environment, i);

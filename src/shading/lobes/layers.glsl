@@ -1,6 +1,6 @@
-// What lobes over the base have in common. Hook: that of albedo.glsl.
+// Code common to all lobes over the base. Hook: that of albedo.glsl.
 
-// Whether lobes may lie over a model's base. Witness: the list.
+// 1 if lobes may lie over a model's base, else 0. Witness: the list (passes/bases.h).
 int takes_layers(int model)
 {
     int takes = 0;
@@ -11,15 +11,16 @@ int takes_layers(int model)
     return takes;
 }
 
-// The share of light that a lobe leaves to what lies below it, for a viewer who sees it with that albedo: all but what it sends on
-// itself, of which `there` is there. [albedo scaling: OpenPBR 1.0] Witness: the white furnace.
+// The share of light that a lobe leaves to the lobes below, for the view to which `albedo` belongs: one minus its own
+// reflectance times its strength `there`, 0 to 1. [albedo scaling: OpenPBR 1.0]
+// Witness: the white furnace (tests/draw).
 vec3 left_below(Real there, Metallic facets, vec2 albedo)
 {
     Reflectance r = reflectance_metallic(facets, albedo);
     return vec3(1.0) - there * (r.plain + r.grazing);
 }
 
-// The same at a point with that normal. Witness: as before.
+// The same at a point with normal N, for the view V. Witness: the white furnace (tests/draw).
 vec3 left_below_at(Real there, Metallic facets, vec3 N, vec3 V)
 {
     return left_below(there, facets, albedo_of(dot(N, V), facets.alpha.x));

@@ -1,14 +1,14 @@
 // The report's specular pass. Hooks: see README.md.
 
-// One of the report's samples: its direction about the mirrored view, and what it weighs, F / (4 (w.H)^2) max(N.w, 0),
-// in two parts: F = Ks * (1 - (1 - VH)^5) + (1 - VH)^5.
+// One of the report's samples: its direction about the mirrored view, and its weight F / (4 (w.H)^2) max(N.w, 0) in two
+// parts, of which the first is multiplied by Ks: F = Ks * (1 - (1 - VH)^5) + (1 - VH)^5.
 struct PhongSample {
     vec3 direction;
     vec2 weights;
     Real NH;
 };
 
-// The sample in direction L. Witness: with them the pass is the quadrature below.
+// The sample in direction L. Witness: that of specular_phong.
 PhongSample phong_sample(vec3 N, vec3 V, vec3 L)
 {
     vec3 sum = L + V;
@@ -21,18 +21,20 @@ PhongSample phong_sample(vec3 N, vec3 V, vec3 L)
     return s;
 }
 
-// The lamps' light, to the extent that the chain is without it where a sample would read it: through the lobe, and, as far
-// as the pixel is wider than that (pixel.share of 1), through the pixel, where the lobe is cut off at the pixel's own
-// density. per_sample is 1 / N. Witness: the lobe's density times what a sample there weighs; lamps all around are a white sky.
+// Light of the lamps, as far as the level that a sample in their direction reads does not contain them. They are seen
+// through the lobe and, with weight growing with pixel.share (0 to 1: how much wider the pixel is than the lobe),
+// through the pixel's footprint; the lobe's density is then limited to the footprint's. per_sample is 1 / N.
+// Witnesses: the lobe's density times a sample's weight there; a sky full of lamps is a white sky (tests/equations).
 vec3 lamps_phong(Environment environment, Phong p, ShinyPoint s, PixelBlur pixel, Real per_sample)
 {
     vec3 R = mirrored(s.normal, s.view);
     Footprint footprint = footprint_of(s);
     vec2 variances = lamp_variances(environment);
     Real p2 = pixel.share * pixel.share;
-    Real in_pixel = p2 * p2; // of powers the one that keeps the most of a white sky
+    Real in_pixel = p2 * p2; // of all powers, this one keeps most of a white sky's light
     Real middle = exp2(-log2_lobe_density_phong(0.0, p.exponent));
-    Real through_pixel = in_pixel * share_of_coarser(variance_of_spread(middle) * per_sample + pixel.variance, variances);
+    Real through_pixel =
+        in_pixel * share_of_coarser(variance_of_spread(middle) * per_sample + pixel.variance, variances);
     vec3 total = vec3(0.0);
     for (int i = 0; i < lamp_count(environment); ++i) {
         vec3 L = lamp_direction(environment, i);
@@ -47,22 +49,23 @@ vec3 lamps_phong(Environment environment, Phong p, ShinyPoint s, PixelBlur pixel
     return total;
 }
 
-// The level at which a sample is read, from log2 xi2: a blur as wide as the share of the lobe that it stands for, and the
-// pixel's. per_sample: 1 / N; per_level: 1 / v1. Witness: levels by the lobe's density.
+// The level at which a sample is read, from log2 xi2: for a blur as wide as the share of the lobe that the sample
+// represents, plus the pixel's blur. per_sample_level: 1 / N and 1 / v1, with v1 the angular variance of level 1.
+// Witness: levels by the lobe's density (tests/equations).
 Real matched_level_phong(Real log2_xi2, Real exponent, PixelBlur pixel, vec2 per_sample_level)
 {
     Real spread = exp2(-log2_lobe_density_phong(log2_xi2, exponent));
     return level_of_variance((variance_of_spread(spread) * per_sample_level.x + pixel.variance) * per_sample_level.y);
 }
 
-// What a pixel adds to the lobe's samples. Witness: specular_phong's.
+// The pixel's contribution to the lobe's samples. Witness: that of pixel_blur.
 PixelBlur pixel_blur_phong(ShinyPoint s, Real exponent, Real per_sample)
 {
     Real middle = variance_of_spread(exp2(-log2_lobe_density_phong(0.0, exponent))) * per_sample;
     return pixel_blur(s, middle, per_sample);
 }
 
-// The level for the lobe's middle, for looking at. Witness: as before.
+// The level at the lobe's centre, for display as a layer. Witness: levels by the lobe's density (tests/equations).
 Real middle_level_phong(Environment environment, ShinyPoint s, Real exponent)
 {
     Real per_sample = 1.0 / Real(sample_count(environment));
@@ -70,9 +73,10 @@ Real middle_level_phong(Environment environment, ShinyPoint s, Real exponent)
     return matched_level_phong(0.0, exponent, pixel, vec2(per_sample, 1.0 / level_one_variance(environment)));
 }
 
-// The average of F / (4 (w.H)^2) environment(w) max(N.w, 0) over N samples of the lobe about the mirrored view
-// (DESIGN, "Specular pass"), each moved to its own place in the pixel, and read through a blur as wide as the share of lobe
-// and pixel that it stands for. `across` as in Mirror. Witness: quadrature over the lobe in a white environment (tests/draw).
+// The mean of F / (4 (w.H)^2) environment(w) max(N.w, 0) over N samples of the lobe about the mirrored view
+// (docs/PHONG.md), each at its own position in the pixel, and read through a blur as wide as the share of lobe and
+// pixel that the sample represents. `across` as in Mirror.
+// Witness: quadrature over the lobe in a white environment (tests/draw).
 vec3 specular_phong(Environment environment, Phong p, ShinyPoint at, vec3 across)
 {
     mat3 lobe = carried_frame(mirrored(at.normal, at.view), at.view, across);
@@ -92,27 +96,29 @@ vec3 specular_phong(Environment environment, Phong p, ShinyPoint at, vec3 across
            lamps_phong(environment, p, at, pixel, per_sample);
 }
 
-// The report's first term, 1/2 log2(W H / N). Witness: levels by the report's formula.
+// The first term of the report's level, 1/2 log2(W H / N). Witness: levels by the report's formula (tests/equations).
 Real first_term_of_report(Environment environment)
 {
     return report_base_level(environment) - 0.5 * log2(Real(sample_count(environment)));
 }
 
-// The report's own choice of mip level, the first term - 1/2 log2(D(H) / 4), not below the sharpest. The solid angle of the
-// sphere, 4 pi, is missing from that term: the level is 1.83 too coarse. Witness: levels by the report's formula.
+// The report's own choice of mip level, first_term - 1/2 log2(D(H) / 4), at least 0. The first term lacks the solid
+// angle of the sphere, 4 pi, which makes levels 1.83 too coarse.
+// Witness: levels by the report's formula (tests/equations).
 Real report_level_phong(Real first_term, Real NH, Real exponent)
 {
     return max(first_term - 0.5 * (log2_density_phong(NH, exponent) - 2.0), 0.0);
 }
 
-// The same for the lobe's middle, where H is N, for looking at. Witness: as before.
+// The same at the lobe's centre, where H is N, for display as a layer.
+// Witness: levels by the report's formula (tests/equations).
 Real middle_level_report(Environment environment, Real exponent)
 {
     return report_level_phong(first_term_of_report(environment), 1.0, exponent);
 }
 
-// The pass with the report's own choice of mip level in the panorama's own mip chain: narrow lobes show the texels of that
-// level as blocks. Witness: levels by the report's formula.
+// The specular pass with the report's own choice of mip level, in the panorama's own mip chain: narrow lobes show the
+// texels of a level as blocks. Witness: levels by the report's formula (tests/equations).
 vec3 specular_phong_report(Environment environment, Phong p, vec3 N, vec3 V, vec3 across)
 {
     mat3 lobe = carried_frame(mirrored(N, V), V, across);

@@ -8,7 +8,7 @@ struct Texel {
     Real a;
 };
 
-// What all textures of a material give at a point: 1 where there is none.
+// The values of all textures of a material at a point, 1 for missing ones.
 struct Texels {
 #define TEXTURE(name, number, transfer, object, key) Texel name;
 #define NORMAL_TEXTURE(name, number, object, key) Texel name;
@@ -27,11 +27,11 @@ struct Material {
 #include "shading/material/parameters.h"
 };
 
-// alpha of a lobe; below 0.0001 it is narrower than float arithmetic tells apart. Witness: squares.
+// alpha of a lobe, at least 0.0001: floats do not resolve narrower lobes. Witness: squares (tests/equations).
 Real alpha_of_roughness(Real roughness) { return max(roughness * roughness, 1.0e-4); }
 
-// What of a surface is there, from its texel's alpha, which of masks is the share that is there already, and the whole
-// product. [glTF 2.0, 3.9.4] Witness: the three modes.
+// Opacity of a surface by its alpha mode. texel: alpha of the texture, for masks the opaque share; product: that of
+// texture, vertex colour and factor. [glTF 2.0, 3.9.4] Witness: the three modes (tests/equations).
 Real opacity_of(int mode, Real texel, Real product)
 {
     if (mode == alpha_opaque)
@@ -41,8 +41,8 @@ Real opacity_of(int mode, Real texel, Real product)
     return product;
 }
 
-// The parameters at a point. vertex: the mesh's own colour there, which multiplies the base colour's texel; mode: of alpha.
-// [glTF 2.0, 3.9.2 and 3.9.3] Witness: each parameter times its own channel alone.
+// The parameters at a point. vertex: the mesh's colour there, which multiplies the base colour's texel; mode: alpha
+// mode. [glTF 2.0, 3.9.2 and 3.9.3] Witness: each parameter by its own channel alone (tests/equations).
 Material material_of(Material factors, Texels t, Texel vertex, int mode)
 {
     Material m = {

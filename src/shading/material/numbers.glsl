@@ -1,4 +1,4 @@
-// The numbers of a material's textures, and how many rows the lists of this folder and of lobes/ have.
+// The numbers of a material's textures, and the counts of textures, of parameters' values and of lobes over the base.
 #define TEXTURE(name, number, transfer, object, key) const int texture_##name = number;
 #define NORMAL_TEXTURE(name, number, object, key) const int texture_##name = number;
 #include "shading/material/textures.h"

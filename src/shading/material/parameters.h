@@ -1,17 +1,17 @@
-// The parameters of a material, for C++ and GLSL alike: fields of the scene's material, of the one at a point, numbers of the
-// device's record and columns of the G-buffer. Each is a factor times a channel of a texture.
+// The parameters of a material, for C++ and GLSL. They become fields of the scene's material and of the material at a
+// point, numbers in the device's record, and columns of the G-buffer. Each is a factor times a channel of a texture.
 //   COLOR_AND_ALPHA(name, alpha, number, value, object, key, texture)
-//       four numbers: linear RGB, and alpha, which the mode of alpha makes an opacity of
+//       four numbers: linear RGB, and alpha, which becomes an opacity by the alpha mode
 //   COLOR(name, number, value, object, key, texture)
 //       three numbers: linear RGB
 //   SCALAR(name, number, value, object, key, texture, channel)
-//       from 0 to 1
+//       a number from 0 to 1
 //   ROUGHNESS(name, factor, number, value, object, key, texture, channel)
 //       perceptual roughness from 0 to 1 in files; at a point its square, alpha
 //   STRENGTH(name, factor, number, value, object, key, texture, channel)
-//       from 0 to 1: how far the texture's value, instead of 1, is taken
-// `number` is the first of its own; `value` the factor where a file gives none; `object` and `key` are where a glTF's material
-// has the factor: in which object, or in `material` itself.
+//       a number from 0 to 1 that interpolates between 1 and the texture's value
+// `number`: index of the first of its values; `value`: the factor if a file gives none; `object` and `key`: where a
+// glTF material has the factor: under this key of this object, which is `material` for the material itself.
 COLOR_AND_ALPHA(base_color, opacity, 0, 1.0, pbrMetallicRoughness, baseColorFactor, base_color)
 SCALAR(metallic, 4, 1.0, pbrMetallicRoughness, metallicFactor, metallic_roughness, b)
 ROUGHNESS(alpha, perceptual_roughness, 5, 1.0, pbrMetallicRoughness, roughnessFactor, metallic_roughness, g)

@@ -1,8 +1,9 @@
-// The textures that a material may have, for C++ and GLSL alike:
+// The textures that a material may have, for C++ and GLSL:
 //   TEXTURE(name, number, transfer, object, key)
-//       codes of colours or linear ones; where a glTF's material has it: in which object, or in `material` itself
+//       `transfer`: codes of colours, or linear values; `object` and `key`: where a glTF material has the texture:
+//       under this key of this object, which is `material` for the material itself
 //   NORMAL_TEXTURE(name, number, object, key)
-//       a map of normals in tangent space, with its own scale
+//       a normal map in tangent space, with its own scale
 TEXTURE(base_color, 0, color, pbrMetallicRoughness, baseColorTexture)
 TEXTURE(metallic_roughness, 1, linear, pbrMetallicRoughness, metallicRoughnessTexture)
 NORMAL_TEXTURE(normal, 2, material, normalTexture)

@@ -1,6 +1,6 @@
-// What is behind all surfaces. Hooks: see README.md.
+// The background behind all surfaces. Hooks: see README.md.
 
-// `sum` and the lamps through a level's blur, of which a share is read. d: in the environment's own frame.
+// `sum` plus the lamps through a level's blur, times the level's weight `share`. d: in the environment's own frame.
 vec3 with_lamps_blurred(Environment e, vec3 d, vec3 sum, Real share, Real variance)
 {
     for (int i = 0; i < lamp_count(e); ++i) {
@@ -10,7 +10,7 @@ vec3 with_lamps_blurred(Environment e, vec3 d, vec3 sum, Real share, Real varian
     return sum;
 }
 
-// What is behind everything in a direction of the world: the panorama, or it through the blurs of two levels.
+// The background in a world direction: the panorama, or its blur interpolated between two levels.
 vec3 background_light(Environment e, vec3 direction)
 {
     vec3 d = turned(e, direction);

@@ -1,4 +1,4 @@
-// Metal and dielectric by GGX facets, over a diffuse base. Hooks: see README.md.
+// Metal and dielectric: GGX facets over a diffuse base. Hooks: see README.md.
 
 struct Base_ggx {
     Metallic metallic;

@@ -1,5 +1,5 @@
-// The report's model, read at levels that match its samples, as the report does, or in the report's own order of things.
-// Hooks: see README.md.
+// The report's model, in three variants: the environment is read at levels that match the samples, or at the report's
+// own levels, or in the report's own order of operations (lobes/pipeline_report.glsl). Hooks: see README.md.
 
 struct Base_phong {
     Phong phong;
@@ -12,7 +12,7 @@ Base_phong base_phong(Environment e, Fragment f, ShinyPoint s)
     return b;
 }
 
-// In the report's own order of things by one look, as it has it.
+// The report's own order of operations evaluates the light once for each fragment, as the report does.
 vec3 direct_base(Environment e, Base_phong b, ShinyPoint s, Arrival a)
 {
     if (levels_of(e) == levels_pipeline)

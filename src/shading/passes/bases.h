@@ -1,12 +1,12 @@
-// The lobes at the bottom of a material, one for each shading model, for C++ and GLSL alike. Where BASE is defined, a row each:
+// The base of a material, its lowest lobe, of each shading model, for C++ and GLSL. If BASE is defined, a row for each:
 //   BASE(name, number, layered)
-//       `name` and `number`: of the model; `layered`: 1 where the lobes of layers.h may lie over it, else 0
-// elsewhere the files that hold them. Each file has a struct Base_name, what the lobe is at a point, and functions of it:
-//   base_name(Environment, Fragment, ShinyPoint)             makes it of a fragment
-//   direct_base(Environment, Base_name, ShinyPoint, Arrival) what it sends to the viewer of a light without size
-//   ambient_base(Environment, Base_name, vec3, Real)         the same of the irradiance around it, times a brightness
-//   reflected_base(Environment, Base_name, ShinyPoint)       the same of what it mirrors of the environment
-//   level_of_base(Environment, Base_name, ShinyPoint)        the level read in its middle, as a part of the highest
+//       `name` and `number`: of the model; `layered`: 1 if the lobes of lobes/layers.h may lie over it, else 0
+// Otherwise the files that define them. Each file has a struct Base_name, the base at a point, and these functions:
+//   base_name(Environment, Fragment, ShinyPoint)             the base of a fragment
+//   direct_base(Environment, Base_name, ShinyPoint, Arrival) light of a source without size that it reflects
+//   ambient_base(Environment, Base_name, vec3, Real)         irradiance that it reflects, times a brightness
+//   reflected_base(Environment, Base_name, ShinyPoint)       light of the environment that its glossy part reflects
+//   level_of_base(Environment, Base_name, ShinyPoint)        level read at the lobe's centre / highest level
 #ifdef BASE
 BASE(ggx, 0, 1)
 BASE(phong, 1, 0)

@@ -1,6 +1,6 @@
-// Fragments as the passes read and write them. Hooks: see README.md.
+// Loads and stores of fragments' values. Hooks: see README.md.
 
-// A point as the base, number 0, or a lobe over it mirrors there.
+// The surface point with the normal of the base, number 0, or of a lobe over it.
 ShinyPoint load_shine(Fragment f, int number)
 {
     int column = column_shine + columns_per_shine * number;
@@ -8,7 +8,7 @@ ShinyPoint load_shine(Fragment f, int number)
     return s;
 }
 
-// extent: side of the square that is lit as one, in pixels.
+// extent: side in pixels of the square that is shaded as one fragment.
 void store_shine(Fragment f, int number, Surface s, Real extent)
 {
     int column = column_shine + columns_per_shine * number;

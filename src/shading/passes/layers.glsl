@@ -1,6 +1,7 @@
 // Lobes over the base at a fragment. Hooks: see README.md.
 
-// How much of a lobe there is, 0 to 1, how it mirrors, and the share of light that it leaves to those below.
+// A lobe over the base: its strength, 0 to 1, its surface point, its facets and their albedo, and the share of light
+// that it leaves to the lobes below.
 struct Layer {
     Real there;
     ShinyPoint shiny;
@@ -17,7 +18,7 @@ Layer layer_at(Fragment f, Real there, Metallic facets, int number)
     return layer;
 }
 
-// The lobe, or nothing of it where no lane has it.
+// The lobe, or a lobe without effect if its strength is 0 in all lanes.
 Layer layer_or_none(Fragment f, Real there, Metallic facets, int number)
 {
     Layer layer = {there, load_shine(f, 0), facets, vec2(0.0), vec3(1.0)};

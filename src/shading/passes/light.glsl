@@ -1,6 +1,6 @@
-// The passes of light over fragments: the base's lobe of the picture's model, and those over it. Hooks: see README.md.
+// The light passes over fragments: the base of the picture's model, and the lobes over it. Hooks: see README.md.
 
-// A fragment as direct light meets it: what all lights share is worked out once.
+// A fragment prepared for direct light: values that do not depend on the light are computed once.
 struct Receiver {
     ShinyPoint shiny;
     vec3 point;
@@ -25,13 +25,13 @@ Receiver receiver_at(Environment e, Fragment f)
     return r;
 }
 
-// What a lobe and those below send of light that arrives, of which `light` is from below.
+// Arriving light that a lobe and the lobes below reflect, where `light` is the reflection of those below.
 vec3 direct_through(Layer layer, vec3 light, Arrival a)
 {
     return layer.there * direct_metallic_in_pixel(layer.facets, layer.albedo, layer.shiny, a) + layer.left * light;
 }
 
-// What a fragment sends to the viewer of light that arrives.
+// Arriving light that a fragment reflects to the viewer.
 vec3 direct_light(Environment e, Receiver r, Arrival a)
 {
     vec3 light = vec3(0.0);
@@ -65,7 +65,7 @@ void add_ambient(Environment e, Fragment f)
     store3(f, column_ambient, light);
 }
 
-// What a lobe and those below mirror of the environment, of which `light` is from below.
+// Light of the environment that a lobe and the lobes below reflect, where `light` is the reflection of those below.
 vec3 reflected_through(Environment e, Layer layer, vec3 light)
 {
     return layer.there * reflected_metallic(e, layer.facets, layer.shiny) + layer.left * light;
@@ -89,7 +89,7 @@ void add_specular(Environment e, Fragment f)
     store3(f, column_reflected, light);
 }
 
-// The level at which the base's lobe is read in its middle, as a part of the highest.
+// The level read at the centre of the base's lobe, as a fraction of the highest.
 Real middle_level(Environment e, Fragment f)
 {
     ShinyPoint s = load_shine(f, 0);

@@ -1,6 +1,6 @@
-// What mirrors the environment: from the world to its own frame. Hooks: see README.md.
+// Reflection of the environment, with directions transformed from world space to its own frame. Hooks: see README.md.
 
-// A point that mirrors, in the environment's own frame.
+// The surface point in the environment's own frame.
 ShinyPoint in_environment(Environment e, ShinyPoint s)
 {
     ShinyPoint t = {turned(e, s.normal), turned(e, s.view), turned(e, s.mirrored_dx), turned(e, s.mirrored_dy)};

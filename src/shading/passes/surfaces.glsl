@@ -1,8 +1,8 @@
-// From the triangle that a fragment shows to its surface: position, normals, material. Hooks: see README.md.
+// From a fragment's triangle to its surface: position, normals, material. Hooks: see README.md.
 
 vec3 interpolated(Corners v, Barycentric at) { return at.a * v.a + at.b * v.b + at.c * v.c; }
 
-// The rate of change when the weights of corners 1 and 2 change so.
+// Change of the interpolated value if the weights of corners 1 and 2 change by b and c.
 vec3 changed(Corners v, Real b, Real c) { return b * (v.b - v.a) + c * (v.c - v.a); }
 
 Turning turning_at(Source s, Barycentric at)
@@ -13,7 +13,7 @@ Turning turning_at(Source s, Barycentric at)
                       to_world * changed(normals, at.b_dy, at.c_dy));
 }
 
-// The normal with a map, if the material has it.
+// The normal with the normal map applied, if the material has it.
 vec3 bumped(Source s, Barycentric at, vec3 normal, Texel code, int texture)
 {
     vec3 mapped = normal;
@@ -23,7 +23,7 @@ vec3 bumped(Source s, Barycentric at, vec3 normal, Texel code, int texture)
     return mapped;
 }
 
-// The report's parameters, as near as its model comes to metal and dielectric, or as given.
+// The report's parameters: those that are given, else the approximation of metal and dielectric.
 Phong phong_of(Material m, GivenPhong g)
 {
     Phong made = phong_from_metallic(m.base_color, m.metallic, m.alpha);
@@ -43,21 +43,21 @@ void store_models(Fragment f, Source s, Material m)
         store3(f, column_specular, base_reflectance(m.base_color, m.metallic));
 }
 
-// A triangle that is seen, and the mesh's own normal there.
+// A visible point of a triangle, and the mesh's own normal there.
 struct SeenPoint {
     SightRay sight;
     Facet facet;
     Turning turning;
 };
 
-// The surface with a map on its normal, if the material has it.
+// The surface with the normal map applied, if the material has it.
 Surface mapped_surface(Source s, SeenPoint seen, Texel code, int texture)
 {
     vec3 normal = bumped(s, seen.facet.at, seen.turning.normal, code, texture);
     return surface_at(seen.sight, seen.facet, seen.turning, normal, handedness(s));
 }
 
-// All that the passes of light read. extent: side of the square that is lit as one, in pixels.
+// Stores all values that the light passes load. extent: side in pixels of the square that is shaded as one fragment.
 void find_surface(Fragment f, Source s, Real extent)
 {
     SightRay sight = sight_of(s);
@@ -74,7 +74,7 @@ void find_surface(Fragment f, Source s, Real extent)
     store3(f, column_view, base.view);
     store_shine(f, 0, base, extent);
 #define LAYER(name, number, texture)                                                                         \
-    if (has_layers() != 0 && takes_layers(model_of(s)) != 0 && any_of(m.name > 0.0)) {                                                  \
+    if (has_layers() != 0 && takes_layers(model_of(s)) != 0 && any_of(m.name > 0.0)) {                       \
         Surface over = mapped_surface(s, seen, texels.texture, texture_##texture);                           \
         store_shine(f, number, over, extent);                                                                \
         m.emissive = left_below_at(m.name, facets_##name(m, compensation_of(s)), over.normal, over.view) *    \
@@ -83,7 +83,7 @@ void find_surface(Fragment f, Source s, Real extent)
 #include "shading/lobes/layers.h"
     store_models(f, s, m);
     Real lit = 1.0;
-    if (is_unlit(s) != 0) { // its colour is its light [KHR_materials_unlit]
+    if (is_unlit(s) != 0) { // it emits its colour [KHR_materials_unlit]
         m.emissive = m.base_color;
         lit = 0.0;
     }

@@ -1,4 +1,4 @@
-// Vectors in three columns. Hooks: see README.md.
+// Loads and stores of vectors, in three consecutive columns. Hooks: see README.md.
 
 vec3 load3(Fragment f, int column) { return vec3(load(f, column), load(f, column + 1), load(f, column + 2)); }
 

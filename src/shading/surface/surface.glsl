@@ -1,6 +1,6 @@
-// From the triangle that a ray of sight meets to what the passes need of its surface. Needs no hooks.
+// From the triangle that a camera ray meets to the surface that the passes need. Needs no hooks.
 
-// A ray of sight through a place in the picture, and how it changes to the next pixel right and below. The direction
+// A camera ray through a position in the picture, and its changes to the next pixel right and below. The direction
 // need not have unit length.
 struct SightRay {
     vec3 origin;
@@ -11,7 +11,7 @@ struct SightRay {
     vec3 direction_dy;
 };
 
-// A triangle by a corner and the edges to the other two, in the world.
+// A triangle in world space: a corner, and the edges from it to the other two.
 struct Triangle {
     vec3 corner;
     vec3 edge1;
@@ -25,15 +25,16 @@ struct Corners {
     vec3 c;
 };
 
-// Where a ray meets a triangle's plane: distance in multiples of the ray's direction, weights of corners 1 and 2.
+// The intersection of a ray with a triangle: distance in multiples of the ray's direction, weights of corners 1 and 2.
 struct Meeting {
     Real distance;
     Real u;
     Real v;
 };
 
-// Defined unless the ray lies in the plane; the weights are brought into the triangle, which a pixel's middle that is
-// drawn may miss by a rounding. [Moller and Trumbore 1997] Witness: a point put together of the corners is found again.
+// The intersection of a ray with a triangle's plane, unless the ray lies in it. Weights are clamped to the triangle,
+// which the ray through the centre of a covered pixel may miss by a rounding error. [Moller and Trumbore 1997]
+// Witness: a point composed of the corners is found again (tests/equations).
 Meeting meeting_with(SightRay s, Triangle t)
 {
     vec3 way = s.origin - t.corner;
@@ -48,7 +49,7 @@ Meeting meeting_with(SightRay s, Triangle t)
     return m;
 }
 
-// Weights of the three corners, and how those of corners 1 and 2 change to the next pixel right and below.
+// Weights of the three corners, and the changes of those of corners 1 and 2 to the next pixel right and below.
 struct Barycentric {
     Real a;
     Real b;
@@ -59,7 +60,7 @@ struct Barycentric {
     Real c_dy;
 };
 
-// A triangle and the point of it that is seen. normal: of its counter-clockwise side, not of unit length.
+// The visible point of a triangle. normal: of the triangle's counter-clockwise side, not of unit length.
 struct Facet {
     vec3 position;
     vec3 normal;
@@ -67,8 +68,9 @@ struct Facet {
     Barycentric at;
 };
 
-// How far the seen point moves on the plane of that normal when the ray moves by the two steps.
-// [Igehy 1999, "Tracing ray differentials"] Witness: the difference of two meetings with the plane.
+// Displacement of the visible point on the plane of that normal when the ray's origin and direction change by the two
+// steps. [Igehy 1999, "Tracing ray differentials"]
+// Witness: the difference of two intersections with the plane (tests/equations).
 vec3 moved_on_plane(vec3 direction, vec3 normal, Real distance, vec3 origin_step, vec3 direction_step)
 {
     vec3 moved = origin_step + distance * direction_step;
@@ -77,16 +79,19 @@ vec3 moved_on_plane(vec3 direction, vec3 normal, Real distance, vec3 origin_step
     return moved - (dot(moved, normal) / safe) * direction;
 }
 
-// Witness: the largest of three numbers without their signs.
+// The largest absolute value of the components.
+// Witness: the largest of three numbers without their signs (tests/equations).
 Real largest_part(vec3 v) { return max(abs(v.x), max(abs(v.y), abs(v.z))); }
 
-// A rate of change, or 0 where it overflowed: what is looked up by it has to be a number. Witness: both sides of 1e15.
+// A rate of change, or 0 if it overflowed: lookups that depend on it must stay finite.
+// Witness: both sides of 1e15 (tests/equations).
 Real finite_or_zero(Real rate) { return select(abs(rate) < 1.0e15, rate, 0.0); }
 
-// Witness: the weights of the points that the rays of neighbouring pixels meet.
+// The visible point, with the changes of its weights.
+// Witness: the weights of the points that the rays of neighbouring pixels meet (tests/equations).
 Facet facet_at(SightRay s, Triangle t, Meeting m)
 {
-    // In units of the triangle's size: the fourth powers of the edges that follow leave the range of floats early.
+    // In units of the triangle's size: fourth powers of the edges below would otherwise leave the range of floats.
     Real longest = clamp(max(largest_part(t.edge1), largest_part(t.edge2)), 1.0e-30, 1.0e30);
     Real unit = 1.0 / longest;
     vec3 e1 = unit * t.edge1;
@@ -108,14 +113,15 @@ Facet facet_at(SightRay s, Triangle t, Meeting m)
     return f;
 }
 
-// A shading normal and how it turns to the next pixel right and below.
+// A shading normal, and its changes to the next pixel right and below.
 struct Turning {
     vec3 normal;
     vec3 dx;
     vec3 dy;
 };
 
-// From an interpolated normal of any length and its changes. Witness: the difference of two normalised vectors.
+// Normalises an interpolated normal of any length and its changes.
+// Witness: the difference of two normalised vectors (tests/equations).
 Turning turning_of(vec3 sum, vec3 sum_dx, vec3 sum_dy)
 {
     Real inverse = inversesqrt(max(dot(sum, sum), 1.0e-30));
@@ -126,9 +132,9 @@ Turning turning_of(vec3 sum, vec3 sum_dx, vec3 sum_dy)
     return t;
 }
 
-// The normal that a normal map asks for: code in [0, 1] from the map, `along` the interpolated tangent of any length,
-// which is given its unit length or the bumps would grow and shrink with the mesh; side: 1, or -1 for a mirrored
-// bitangent. [glTF 2.0, 3.9.3] Witness: codes along each axis of the frame.
+// The normal given by a normal map. code: the map's value, in [0, 1]; along: interpolated tangent of any length,
+// normalised here so that the strength of bumps does not depend on the mesh; side: 1, or -1 for a mirrored bitangent.
+// [glTF 2.0, 3.9.3] Witness: codes along each axis of the frame (tests/equations).
 vec3 mapped_normal(vec3 normal, vec3 along, Real side, vec3 code, Real scale)
 {
     vec3 tangent = inversesqrt(max(dot(along, along), 1.0e-30)) * along;
@@ -139,8 +145,9 @@ vec3 mapped_normal(vec3 normal, vec3 along, Real side, vec3 code, Real scale)
     return select(length2 > 1.0e-12, inversesqrt(max(length2, 1.0e-12)) * mapped, normal);
 }
 
-// Change of the mirrored direction from that of view and normal, at most 1: a footprint of half the sky says that the
-// triangle is seen edge on; more than that says nothing. Witness: the difference of two mirrored directions.
+// Change of the mirrored direction from the changes of view and normal, at most 1 long: a footprint of half the sky
+// means that the triangle is seen edge on, and larger ones mean nothing more.
+// Witness: the difference of two mirrored directions (tests/equations).
 vec3 mirrored_change(vec3 normal, vec3 view, vec3 normal_change, vec3 view_change)
 {
     Real cosine_change = dot(normal_change, view) + dot(normal, view_change);
@@ -149,18 +156,19 @@ vec3 mirrored_change(vec3 normal, vec3 view, vec3 normal_change, vec3 view_chang
     return select(length2 > 1.0, inversesqrt(max(length2, 1.0)) * d, d);
 }
 
-// A seen point as the passes of light want it.
+// A visible point as the light passes need it.
 struct Surface {
-    Real depth; // metres from where the ray starts
+    Real depth; // distance from the ray's origin, metres
     vec3 view;  // towards the viewer
-    vec3 normal; // of shading, facing him
+    vec3 normal; // shading normal, facing the viewer
     vec3 mirrored_dx; // change of the mirrored direction over a pixel
     vec3 mirrored_dy;
 };
 
-// `mapped` is the normal with its map, `turning` without; handedness is -1 where the triangle was placed by a mirroring
-// transform, else 1. A normal that faces further away from the viewer than a cosine of 0.001 is bent towards him.
-// Witness: a sphere's position, normal and mirrored directions in closed form.
+// The visible point of a facet. mapped: the normal with the normal map, turning: without it; handedness: -1 if the
+// instance's transform mirrors, else 1. A normal whose cosine with the view is below 0.001 is bent towards the
+// viewer.
+// Witness: a sphere's position, normal and mirrored directions in closed form (tests/equations).
 Surface surface_at(SightRay s, Facet f, Turning turning, vec3 mapped, Real handedness)
 {
     Real length2 = dot(s.direction, s.direction);
@@ -176,15 +184,15 @@ Surface surface_at(SightRay s, Facet f, Turning turning, vec3 mapped, Real hande
     return surface;
 }
 
-// The report's parameters, as near as its model comes to metal and dielectric. Witness: both, by the table of
-// fresnel.glsl.
+// The report's parameters that approximate metal and dielectric.
+// Witness: both, by the reflectances of equations/fresnel.glsl (tests/equations).
 Phong phong_from_metallic(vec3 base, Real metalness, Real alpha)
 {
     Phong p = {(1.0 - metalness) * base, base_reflectance(base, metalness), phong_exponent(alpha)};
     return p;
 }
 
-// What the report's model takes in place of what it makes of metal and dielectric: where `given`, 0 or 1, says so.
+// Parameters of the report's model that replace the approximation of metal and dielectric where `given`, 0 or 1, is 1.
 struct GivenPhong {
     vec3 diffuse;
     vec3 specular;
