@@ -1,6 +1,7 @@
 // The light passes. Included after numbers.glsl, all.glsl and the hooks.
 #include "shading/lobes/albedo.glsl"
 #include "shading/lobes/layers.glsl"
+#include "shading/passes/bases.glsl"
 #include "shading/passes/gbuffer.glsl"
 #include "shading/passes/mirrors.glsl"
 #include "shading/passes/bases.h"

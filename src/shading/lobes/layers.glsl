@@ -1,16 +1,5 @@
 // Code common to all lobes over the base. Hook: that of albedo.glsl.
 
-// 1 if lobes may lie over a model's base, else 0. Witness: the list (passes/bases.h).
-int takes_layers(int model)
-{
-    int takes = 0;
-#define BASE(name, number, layered) \
-    if (model == number)            \
-        takes = layered;
-#include "shading/passes/bases.h"
-    return takes;
-}
-
 // The share of light that a lobe leaves to the lobes below, for the view to which `albedo` belongs: one minus its own
 // reflectance times its strength `there`, 0 to 1. [albedo scaling: OpenPBR 1.0]
 // Witness: the white furnace (tests/draw).

@@ -327,7 +327,7 @@ Outputs shading_layers(Inputs i)
     Metallic coat = facets_coat(some_material(i), 1.0);
     vec3 V = direction(i.f, i.g);
     return outputs(left_below(i.a, coat, vec2(0.5 + 0.4 * i.b, 0.1 * i.c)) + left_below_at(i.a, coat, view_near(V, i), V),
-                   coat.alpha.x + Real(takes_layers(model_ggx)));
+                   coat.alpha.x);
 }
 
 Outputs shading_albedo(Inputs i)
