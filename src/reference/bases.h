@@ -74,7 +74,7 @@ using AnyBase = OneOf<void
 #include "shading/passes/bases.h"
                       >;
 
-/// The base of a surface. The surface must outlive it. `compensation`: for light scattered more than once, 0 or 1.
+/// The base of a surface. `compensation`: for light scattered more than once, 0 or 1.
 AnyBase base_of(const Surface& surface, view::Model model, double compensation);
 
 /// Probability of sampling the first of two parts, from their luminances. At least 0.1 and at most 0.9, because a
