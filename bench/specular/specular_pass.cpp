@@ -1,7 +1,7 @@
 // The 40-sample specular pass of the product against the yardstick, on the same surfaces, in one process.
 #include "bench/side_by_side.h"
 #include "bench/specular/yardstick.h"
-#include "draw/cpu/light_kernel.h"
+#include "draw/cpu/specular_kernel.h"
 #include "environment/environment.h"
 
 #include <hwy/targets.h>

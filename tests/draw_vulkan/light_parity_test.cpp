@@ -1,6 +1,7 @@
 // The lighting passes on a Vulkan device against the same passes on the processor's lanes, fragment by fragment. What the
 // passes compute has its witnesses elsewhere; this is about lookups, layouts and bindings.
 #include "draw/cpu/light_kernel.h"
+#include "draw/cpu/specular_kernel.h"
 #include "draw/vulkan/filled_buffer.h"
 #include "draw/vulkan/passes.h"
 #include "draw/vulkan/environment_on_device.h"

@@ -37,6 +37,20 @@ Arrival arrival_at(const LightSource& light, vec3 point)
                       light.local, point);
 }
 
+// Sets the level of the background, and weight and variance of those of the two levels around it that lack the lamps.
+void place_background(const environment::Environment& from, float level, Environment& e)
+{
+    e.background_level = level;
+    const float clamped = std::min(level, static_cast<float>(e.levels - 1)), fine = std::floor(clamped);
+    const float shares[] = {1.0f - (clamped - fine), clamped - fine};
+    for (int i = 0; i < 2; ++i) {
+        const int whole = static_cast<int>(fine) + i;
+        e.level_shares[i] = level >= 0.0f && whole > e.lamps->last_level ? shares[i] : 0.0f;
+        e.level_variances[i] =
+            e.level_shares[i] > 0.0f ? environment::level_variance(from.chain, whole) : 0.0f;
+    }
+}
+
 } // namespace
 
 HWY_FLATTEN void light_directly(const LightContext& context, std::span<const LightSource> lights,
@@ -58,18 +72,6 @@ HWY_FLATTEN void light_ambiently(const LightContext& context, size_t begin, size
     const Environment e = environment_of(context, nullptr);
     for (size_t at = begin; at < end; at += lane_count)
         add_ambient(e, fragment(fragments, at));
-}
-
-HWY_FLATTEN void light_specularly(const LightContext& context, size_t begin, size_t end, Fragments& fragments)
-{
-    const environment::CubeChain& chain = context.environment->chain;
-    CubeSums sums({chain.halfs(), chain.log2_size, chain.levels});
-    const Environment e = environment_of(context, &sums);
-    for (size_t at = begin; at < end; at += lane_count)
-        add_specular(e, fragment(fragments, at));
-    if (context.middle_level)
-        for (size_t at = begin; at < end; at += lane_count)
-            store(fragment(fragments, at), column_middle_level, middle_level(e, fragment(fragments, at)));
 }
 
 HWY_FLATTEN void light_background(const LightContext& context, const RayMap& rays, const BackgroundRow& row,
@@ -95,7 +97,6 @@ namespace lambent::draw {
 
 HWY_EXPORT(light_directly);
 HWY_EXPORT(light_ambiently);
-HWY_EXPORT(light_specularly);
 HWY_EXPORT(light_background);
 
 void light_directly(const LightContext& context, std::span<const LightSource> lights, std::size_t begin,
@@ -107,11 +108,6 @@ void light_directly(const LightContext& context, std::span<const LightSource> li
 void light_ambiently(const LightContext& context, std::size_t begin, std::size_t end, Fragments& fragments)
 {
     HWY_DYNAMIC_DISPATCH(light_ambiently)(context, begin, end, fragments);
-}
-
-void light_specularly(const LightContext& context, std::size_t begin, std::size_t end, Fragments& fragments)
-{
-    HWY_DYNAMIC_DISPATCH(light_specularly)(context, begin, end, fragments);
 }
 
 void light_background(const LightContext& context, const RayMap& rays, const BackgroundRow& row,

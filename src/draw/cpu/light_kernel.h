@@ -1,4 +1,5 @@
-// The light passes of src/shading over the fragments of a tile, in SIMD lanes.
+// Direct light, diffuse light of the environment and the background, in SIMD lanes: passes of src/shading over the
+// fragments of a tile.
 #pragma once
 
 #include "draw/cpu/fragments.h"
@@ -14,9 +15,6 @@ void light_directly(const LightContext& context, std::span<const LightSource> li
 
 /// Fills column_irradiance and column_ambient: the environment's diffuse light.
 void light_ambiently(const LightContext& context, std::size_t begin, std::size_t end, Fragments& fragments);
-
-/// Fills column_reflected: the environment's specular light; with `middle_level`, also that column.
-void light_specularly(const LightContext& context, std::size_t begin, std::size_t end, Fragments& fragments);
 
 /// Adjacent pixels of a row whose background is computed.
 struct BackgroundRow {

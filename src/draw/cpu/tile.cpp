@@ -1,6 +1,7 @@
 #include "draw/cpu/tile.h"
 
 #include "draw/cpu/light_choice.h"
+#include "draw/cpu/specular_kernel.h"
 #include "draw/layer_list.h"
 
 #include <glm/geometric.hpp>

@@ -229,20 +229,6 @@ HWY_INLINE Real variance_of_level(const Environment& e, int level)
     return e.level_variances[level];
 }
 
-// Sets the level of the background, and weight and variance of those of the two levels around it that lack the lamps.
-void place_background(const environment::Environment& from, float level, Environment& e)
-{
-    e.background_level = level;
-    const float clamped = std::min(level, static_cast<float>(e.levels - 1)), fine = std::floor(clamped);
-    const float shares[] = {1.0f - (clamped - fine), clamped - fine};
-    for (int i = 0; i < 2; ++i) {
-        const int whole = static_cast<int>(fine) + i;
-        e.level_shares[i] = level >= 0.0f && whole > e.lamps->last_level ? shares[i] : 0.0f;
-        e.level_variances[i] =
-            e.level_shares[i] > 0.0f ? environment::level_variance(from.chain, whole) : 0.0f;
-    }
-}
-
 Environment environment_of(const LightContext& c, CubeSums* sums)
 {
     Environment e{};
