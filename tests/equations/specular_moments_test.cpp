@@ -22,6 +22,13 @@ struct Moments {
     double x, y, z, z2;
 };
 
+// Point i of a sunflower spiral, as lobe_sample takes it.
+vec3 spiral_point(int i, int samples)
+{
+    const double turn = 2.0 * std::numbers::pi * i / std::numbers::phi;
+    return {(i + 0.4) / (samples + 1.0), std::cos(turn), std::sin(turn)};
+}
+
 // By the sunflower spiral, each sample blurred: a Gaussian of variance v per axis takes exp(-v) from a direction's
 // first moment and exp(-3 v) from its second. Blurs are those of `blurs` samples.
 Moments sampled_moments(double NV, double alpha, int samples, int blurs)
@@ -30,9 +37,7 @@ Moments sampled_moments(double NV, double alpha, int samples, int blurs)
     Moments m{};
     double weights = 0.0;
     for (int i = 0; i < samples; ++i) {
-        const double turn = 2.0 * std::numbers::pi * i / std::numbers::phi;
-        const LobeSample s =
-            lobe_sample(lobe, vec3((i + 0.4) / (samples + 1.0), std::cos(turn), std::sin(turn)));
+        const LobeSample s = lobe_sample(lobe, spiral_point(i, samples));
         const vec3 d = normalize(s.direction);
         const double first = s.weight * std::exp(-s.variance), third = std::exp(-3.0 * s.variance);
         m.x += first * d.x;
@@ -96,9 +101,7 @@ Spreads sampled_spreads(vec2 alpha, int samples)
     Spreads sum{};
     double weights = 0.0;
     for (int i = 0; i < samples; ++i) {
-        const double turn = 2.0 * std::numbers::pi * i / std::numbers::phi;
-        const LobeSample s =
-            lobe_sample(lobe, vec3((i + 0.4) / (samples + 1.0), std::cos(turn), std::sin(turn)));
+        const LobeSample s = lobe_sample(lobe, spiral_point(i, samples));
         const vec3 d = normalize(s.direction);
         sum.xx += s.weight * d.x * d.x, sum.yy += s.weight * d.y * d.y;
         weights += s.weight;
