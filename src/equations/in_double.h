@@ -8,6 +8,9 @@
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
 
+#undef ONE_BODY
+#define ONE_BODY
+
 namespace lambent::in_double {
 namespace {
 

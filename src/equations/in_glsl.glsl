@@ -1,6 +1,7 @@
 // Types and functions that the equations need beyond GLSL's own. Include before all.glsl.
 #define Real float
 #define Mask bool
+#define ONE_BODY
 
 // A number as mantissa * 4^exponent, mantissa in [1, 4).
 struct PowersOfFour {

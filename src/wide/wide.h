@@ -15,6 +15,8 @@
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function" // no file uses all equations
 
+#undef ONE_BODY
+#define ONE_BODY HWY_NOINLINE HWY_FLATTEN
 #include "wide/lanes.h"
 #include "wide/approximations.h"
 #include "equations/vectors.h"

@@ -50,11 +50,13 @@ std::vector<Call> calls_in(const std::string& text)
     return calls;
 }
 
-// A definition has nothing before its name but, from the beginning of the line, a type and a blank.
+// A definition has nothing before its name but, from the beginning of the line, words and a blank: ONE_BODY or nothing,
+// and a type.
 bool is_definition(const Call& call)
 {
-    return call.before.size() > 1 && call.before.back() == ' ' &&
-           std::all_of(call.before.begin(), call.before.end() - 1, in_name);
+    const auto in_words = [](char c) { return in_name(c) || c == ' '; };
+    return call.before.size() > 1 && call.before.back() == ' ' && in_name(call.before.front()) &&
+           std::all_of(call.before.begin(), call.before.end(), in_words);
 }
 
 // Names of the functions that a text defines, with how many overloads of each.
@@ -196,7 +198,7 @@ TEST(Coverage, EveryFileIsInTheWholeText)
 TEST(Coverage, ScanFindsWhatIsMissing)
 {
     const std::string text = "Real first(Real a)\n{\n    return a;\n}\nvec3 second(vec3 a) { return a; }\n"
-                             "Real second(Real a) { return first(a); }\nstruct Third {\n};\n";
+                             "ONE_BODY Real second(Real a) { return first(a); }\nstruct Third {\n};\n";
     const std::vector<std::string> none;
     EXPECT_EQ(not_called(text, "x = first(1.0); y = second(x); z = second(y);"), none);
     EXPECT_EQ(not_called(text, "y = second(x); z = second(y);"), std::vector<std::string>({"first"}));

@@ -133,7 +133,7 @@ HWY_INLINE void add_reads(const PackedTexture& t, const TextureReads& reads, flo
 
 // Reads a texture, filtered over the pixel's footprint. For masks, alpha is the opaque share. Samplers of nearest
 // texels get one texel of each level for each of the reads that make up the footprint.
-HWY_INLINE Texel read_texture(const PackedTexture& t, TexturePoint p, const MaskCut* mask = nullptr)
+ONE_BODY Texel read_texture(const PackedTexture& t, TexturePoint p, const MaskCut* mask = nullptr)
 {
     const scene::Sampler& sampler = t.sampler;
     const TextureFootprint footprint = texture_footprint(p, vec2(t.width[0], t.height[0]), t.levels - 1);

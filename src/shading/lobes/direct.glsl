@@ -58,25 +58,31 @@ Metallic widened(Metallic m, vec3 mirrored_dx, vec3 mirrored_dy)
     return wide;
 }
 
+// direct_metallic averaged over the 64 samples of the pixel, each of the lobe widened by an eighth of the pixel.
+// Witness: that of direct_metallic_in_pixel.
+ONE_BODY vec3 direct_metallic_in_looks(Metallic m, vec2 albedo, ShinyPoint s, Arrival a)
+{
+    Metallic narrow = widened(m, 0.125 * s.mirrored_dx, 0.125 * s.mirrored_dy);
+    vec3 sum = vec3(0.0);
+    // Four samples in each iteration: some software devices end all loops after 65535 iterations in total, which
+    // a thousand lights would exceed.
+    for (int i = 0; i < 64; i += 4)
+        sum += direct_metallic(narrow, albedo, normal_of_look(s, i), s.view, a) +
+               direct_metallic(narrow, albedo, normal_of_look(s, i + 1), s.view, a) +
+               direct_metallic(narrow, albedo, normal_of_look(s, i + 2), s.view, a) +
+               direct_metallic(narrow, albedo, normal_of_look(s, i + 3), s.view, a);
+    return 0.015625 * sum;
+}
+
 // direct_metallic averaged over the pixel: one sample of the lobe widened by the pixel, or, for highlights narrower
-// than the pixel, 64 samples, each of the lobe widened by an eighth of the pixel.
+// than the pixel, 64 samples.
 // Witness: quadrature over the pixel (tests/equations).
 vec3 direct_metallic_in_pixel(Metallic m, vec2 albedo, ShinyPoint s, Arrival a)
 {
     vec3 once = direct_metallic(widened(m, s.mirrored_dx, s.mirrored_dy), albedo, s.normal, s.view, a);
     Mask hidden = hides_highlight(s, m.alpha, a.direction);
-    if (any_of(hidden)) {
-        Metallic narrow = widened(m, 0.125 * s.mirrored_dx, 0.125 * s.mirrored_dy);
-        vec3 sum = vec3(0.0);
-        // Four samples in each iteration: some software devices end all loops after 65535 iterations in total, which
-        // a thousand lights would exceed.
-        for (int i = 0; i < 64; i += 4)
-            sum += direct_metallic(narrow, albedo, normal_of_look(s, i), s.view, a) +
-                   direct_metallic(narrow, albedo, normal_of_look(s, i + 1), s.view, a) +
-                   direct_metallic(narrow, albedo, normal_of_look(s, i + 2), s.view, a) +
-                   direct_metallic(narrow, albedo, normal_of_look(s, i + 3), s.view, a);
-        once = select(hidden, 0.015625 * sum, once);
-    }
+    if (any_of(hidden))
+        once = select(hidden, direct_metallic_in_looks(m, albedo, s, a), once);
     return once;
 }
 

@@ -15,7 +15,7 @@ Mirror mirror_at(Environment e, ShinyPoint s, Metallic facets)
     return m;
 }
 
-vec3 reflected_metallic(Environment e, Metallic m, ShinyPoint s)
+ONE_BODY vec3 reflected_metallic(Environment e, Metallic m, ShinyPoint s)
 {
     Mirror mirror = mirror_at(e, s, m);
     LobeLight light = specular_ggx(e, mirror);

@@ -217,9 +217,10 @@ Outputs shading_direct_in_pixel(Inputs i)
     Phong p = {vec3(i.e), vec3(i.f, i.g, i.h), decades(i.e, 200.0, 1.0e4)};
     Arrival a = light_near(s, i);
     vec3 metal = direct_metallic_in_pixel(m, probe_albedo(i.g, i.h), s, a);
+    vec3 looks = direct_metallic_in_looks(m, probe_albedo(i.g, i.h), s, a);
     vec3 phong = direct_phong_in_pixel(p, s, a);
     Real hidden = select(hides_highlight(s, vec2(0.05 + 0.2 * i.d), a.direction), 1.0, 0.0);
-    return outputs(vec3(0.01 * metal.x, 0.01 * phong.y, dot(normal_of_look(s, 11), s.view)),
+    return outputs(vec3(0.01 * (metal.x + looks.z), 0.01 * phong.y, dot(normal_of_look(s, 11), s.view)),
                    0.3 * hidden);
 }
 
