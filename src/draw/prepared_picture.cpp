@@ -22,15 +22,48 @@ std::vector<glm::vec2> subpixel_places(int count)
     return places;
 }
 
-// Normals that differ by 30 degrees between pixels are edges; looks within 15 degrees share a shading point. With
+std::array<int, 4> nearest_to_corners(const std::vector<glm::vec2>& places)
+{
+    std::array<int, 4> nearest{};
+    for (int corner = 0; corner < 4; ++corner) {
+        const auto away = [&](const glm::vec2& place) {
+            return glm::distance(place, glm::vec2(corner % 2, corner / 2));
+        };
+        const auto found =
+            std::min_element(places.begin(), places.end(),
+                             [&](const glm::vec2& a, const glm::vec2& b) { return away(a) < away(b); });
+        nearest[static_cast<std::size_t>(corner)] = static_cast<int>(found - places.begin());
+    }
+    return nearest;
+}
+
+// Normals that differ by 30 degrees between pixels are edges; looks within 15 degrees may share a shading point. With
 // many samples accuracy counts: every look is shaded, because reflections in curved surfaces vary inside a pixel.
 Edges edges_of(const Settings& settings)
 {
-    constexpr int many_samples = 256, places_of_many = 16;
-    if (settings.samples < many_samples)
-        return {subpixel_places(settings.edge_samples), 0.866f, 0.966f, 1.0f};
-    const int count = settings.edge_samples > 1 ? std::max(settings.edge_samples, places_of_many) : 1;
-    return {subpixel_places(count), 0.995f, 2.0f, 1.0f / std::sqrt(static_cast<float>(count))};
+    constexpr int many_samples = 256;
+    const bool every_look = settings.samples >= many_samples;
+    Edges edges;
+    edges.places = subpixel_places(settings.edge_samples);
+    edges.corners = nearest_to_corners(edges.places);
+    edges.bend_cosine = every_look ? 0.995f : 0.866f;
+    edges.shared_cosine = every_look ? 2.0f : 0.966f;
+    edges.extent = 1.0f / std::sqrt(static_cast<float>(settings.edge_samples));
+    return edges;
+}
+
+// The number of samples of small fragments: a fifth, but no fewer than a split-sum picture has. The report's own levels
+// belong to its own number of samples.
+int few_samples(const Settings& settings)
+{
+    if (settings.mip_level == MipLevel::report)
+        return settings.samples;
+    return std::min(settings.samples, std::max(split_sum_samples, settings.samples / 5));
+}
+
+LobePoints lobe_points(const Settings& settings)
+{
+    return settings.mip_level == MipLevel::report ? LobePoints::hammersley : LobePoints::spiral;
 }
 
 double level_of_background(const environment::Environment& environment, const Settings& settings,
@@ -75,8 +108,8 @@ ReportPowers powers_of(const ReportPipeline& pipeline)
 PreparedPicture::PreparedPicture(std::span<const scene::Light> scene_lights,
                                  const environment::Environment* environment, const Settings& given)
     : settings(given), rays(ray_map(given.camera, given.width, given.height)), edges(edges_of(given)),
-      tables(make_sample_tables(given.samples, given.mip_level == MipLevel::report ? LobePoints::hammersley
-                                                                                   : LobePoints::spiral)),
+      tables(make_sample_tables(given.samples, lobe_points(given))),
+      few_tables(make_sample_tables(few_samples(given), lobe_points(given))),
       lights(light_sources(scene_lights, given.lights))
 {
     if (environment && settings.model == Model::phong && settings.mip_level == MipLevel::report)
@@ -94,6 +127,8 @@ PreparedPicture::PreparedPicture(std::span<const scene::Light> scene_lights,
     if (settings.pipeline)
         light.pipeline = powers_of(*settings.pipeline);
     light.middle_level = settings.layers;
+    few_light = light;
+    few_light.tables = &few_tables;
     if (environment)
         background_level = static_cast<float>(level_of_background(*environment, settings, rays));
 }

@@ -6,17 +6,22 @@
 
 #include <glm/vec2.hpp>
 
+#include <array>
 #include <span>
 #include <vector>
 
 namespace lambent::draw {
 
-/// Supersampling of edges: the visibility samples (looks) of a pixel, and which of them share a shading point.
+/// Supersampling of edges: the visibility samples (looks) of a pixel, and which of them share a shading point. A pixel
+/// at an edge whose four corners share that of its centre is shaded there, as pixels inside surfaces are.
 struct Edges {
     std::vector<glm::vec2> places; ///< positions of the looks in a pixel, [0, 1)
+    std::array<int, 4> corners{};  ///< of `places`: the nearest to each corner of the pixel
     float bend_cosine = 0.0f;      ///< normals of neighbouring pixels with a smaller cosine are an edge
-    float shared_cosine = 0.0f;    ///< looks with a larger cosine between normals share a shading point
-    float extent = 1.0f;           ///< side of the square that a look covers, pixels
+    float shared_cosine =
+        0.0f;            ///< the least cosine between normals of looks that share a shading point; smooth
+                         ///< surfaces have a larger one, see shared_cosine() in shading/surface/pixel.glsl
+    float extent = 1.0f; ///< side of the square that a look covers, pixels
 };
 
 /// Has members that point to other members, so it cannot be copied or moved.
@@ -31,8 +36,11 @@ struct PreparedPicture {
     RayMap rays;
     Edges edges;
     SampleTables tables;
+    SampleTables
+        few_tables; ///< for fragments that cover less than small_share of a pixel: their error counts less
     std::vector<environment::Panorama> mips; ///< for Model::phong with MipLevel::report; else empty
-    LightContext light;
+    LightContext light;                      ///< with `tables`
+    LightContext few_light;                  ///< the same with `few_tables`
     std::vector<LightSource> lights;
     float background_level = -1.0f; ///< of blur; negative: the panorama itself
 };

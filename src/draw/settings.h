@@ -36,7 +36,7 @@ struct Settings : view::Picture {
     MipLevel mip_level = MipLevel::matched;
     float ambient_brightness = 1.0f; ///< factor on the diffuse light of the environment; 2 in the report
     std::optional<ReportPipeline> pipeline; ///< unset: radiance is added up, and tone-mapped at the end
-    int edge_samples = 4;                   ///< visibility samples of a pixel at an edge, 1 to 64
+    int edge_samples = 24;                  ///< visibility samples of a pixel at an edge, 1 to 64
     bool layers = false;                    ///< also return the G-buffer and the light of each pass
 };
 

@@ -39,3 +39,9 @@ Real gaussian_on_sphere(Real chord2, Real variance)
     return 0.15915494309189535 * kappa * exp2(max(-0.7213475204444817 * kappa * chord2, -120.0)) /
            (1.0 - exp2(max(-2.8853900817779268 * kappa, -120.0)));
 }
+
+// The least cosine between the normals of visibility samples in a pixel that are shaded as one, where the surface's lobe
+// has that alpha. The directions that two such normals mirror the view to differ by alpha at most, half a lobe's width;
+// by a hundredth where alpha is less, so that a flat mirror is shaded once; by an angle of cosine `least` at most.
+// Witness: the angle between mirrored directions.
+Real shared_cosine(Real alpha, Real least) { return max(cos(0.5 * max(alpha, 0.01)), least); }

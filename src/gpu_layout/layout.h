@@ -26,10 +26,10 @@ static_assert(sizeof(InstanceRecord) == 112 + 4 * texture_room && offsetof(Insta
 static_assert(sizeof(MeshRecord) == 32 && sizeof(UseRecord) == 48);
 static_assert(offsetof(MaterialRecord, phong_diffuse) == 4 * (parameter_room + texture_room));
 static_assert(offsetof(MaterialRecord, uses) ==
-              offsetof(MaterialRecord, phong_diffuse) + 64 + 4 * texture_room);
+              offsetof(MaterialRecord, phong_diffuse) + 80 + 4 * texture_room);
 static_assert(sizeof(MaterialRecord) == offsetof(MaterialRecord, uses) + texture_count * sizeof(UseRecord));
 static_assert(sizeof(TextureRecord) == 288 && offsetof(TextureRecord, levels) == 32);
-static_assert(sizeof(PictureRecord) == 416 && offsetof(PictureRecord, layers) == 352);
+static_assert(sizeof(PictureRecord) == 432 && offsetof(PictureRecord, layers) == 368);
 static_assert(sizeof(PictureRecord::layers) == most_layers * sizeof(int));
 static_assert(sizeof(FragmentRecord) == 32 && sizeof(RasterConstants) == 80);
 static_assert(sizeof(BakeConstants) == 32);

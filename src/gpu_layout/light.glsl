@@ -24,7 +24,7 @@ struct LightRecord {
     vec4 outer;           // x: cosine of the outer cone angle; y: range squared, negative if unlimited
 };
 
-// A point of each of the sample tables (SampleTables): xi2 and the cosine and sine of the azimuth.
+// A point of each of the sample tables (SampleTables), those of small fragments after the others: xi2 and the cosine and sine of the azimuth.
 struct SampleRecord {
     vec4 cap;  // xi2, cosine, sine; w: x in the pixel
     vec4 lobe; // log2 xi2, cosine, sine; w: y in the pixel

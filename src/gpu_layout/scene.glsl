@@ -34,6 +34,7 @@ struct MaterialRecord {
     vec4 phong_specular; // w: 1 if given
     vec4 phong_exponent; // x; y: 1 if given; z: alpha cutoff
     ivec4 kind;          // alpha mode; 1 if unlit; number of textures
+    vec4 smoothness;     // typical alpha by each shading model: ggx, phong
     int used[texture_room]; // indices into `uses` of those textures
     UseRecord uses[texture_count];
 };

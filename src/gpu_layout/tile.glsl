@@ -48,7 +48,7 @@ struct PictureRecord {
     vec4 chain;      // scale; angular variances: of level 1, of the last level with lamps, of the first without
     vec4 maps;       // scale of the irradiance map; base level of the report's pipeline
     ivec4 fragments; // capacity; 0; numbers of lights and of lamps
-    ivec4 samples;   // count; size of the albedo table; number of layers besides the image
+    ivec4 samples;   // count; size of the albedo table; number of layers besides the image; count for small fragments
     vec4 origin;     // camera rays through positions in the image, and their change per pixel
     vec4 origin_dx;
     vec4 origin_dy;
@@ -57,8 +57,9 @@ struct PictureRecord {
     vec4 direction_dy;
     ivec4 tile;  // x, y, width, height
     ivec4 apron; // the same for the apron
-    vec4 surfaces; // x: perceptual roughness of all surfaces; negative: their own
-    vec4 edges;  // cosines between normals: below it is an edge, above it surfaces are lit as one; extent of a look
+    vec4 surfaces; // x: perceptual roughness of all surfaces; negative: their own; y: 1 by the phong model
+    vec4 edges;  // cosines between normals: below it is an edge, above it looks may share a fragment; extent of a look
+    ivec4 corners; // looks nearest to the corners of a pixel
     vec4 background; // rgb; w: blur level
     vec4 blur;       // for each of the two levels read: weight of the lamps missing in it; its angular variance
     ivec4 behind;    // kind of background; width and height of the panorama

@@ -4,6 +4,7 @@
 const int levels_matched = 0;
 const int levels_report = 1;
 const int levels_pipeline = 2; // the report's, in its own order of operations
+const float small_share = 0.375; // fragments that cover less of a pixel take fewer samples
 const int alpha_opaque = 0; // alpha modes of a material [glTF 2.0, 3.9.4]
 const int alpha_mask = 1;
 const int alpha_blend = 2;

@@ -133,7 +133,7 @@ TEST(Arguments, DefaultsAreTheContracts)
     EXPECT_EQ(a.settings.width, 1280);
     EXPECT_EQ(a.settings.height, 720);
     EXPECT_EQ(a.settings.samples, 40);
-    EXPECT_EQ(a.settings.edge_samples, 4);
+    EXPECT_EQ(a.settings.edge_samples, 24);
     EXPECT_EQ(a.settings.model, draw::Model::ggx);
     EXPECT_EQ(a.settings.ambient_brightness, 1.0f);
     EXPECT_EQ(a.display.exposure, 1.0f);

@@ -112,8 +112,8 @@ void expect_looks(const Draw& draw)
     EXPECT_NEAR(folded, 0.25f, 1e-6f);
 }
 
-// A mirroring sphere whose normals turn by more than six degrees from pixel to pixel is looked at 16 times where many samples
-// are asked for, each look lit as a square a quarter of a pixel wide. Then alpha^2 grows by (bend / 4)^2 / 6, and the pixel
+// A mirroring sphere whose normals turn by more than six degrees from pixel to pixel is lit at every look where many samples are
+// asked for, at each of 16 as a square a quarter of a pixel wide. Then alpha^2 grows by (bend / 4)^2 / 6, and the pixel
 // is the mean over its places of D G2 / (4 NV NL) NL. [as DirectLight.HighlightsNarrowerThanAPixelFillIt has it]
 void expect_small_highlights(const Draw& draw)
 {
@@ -126,6 +126,7 @@ void expect_small_highlights(const Draw& draw)
     Settings settings = small_settings(pixels, pixels, front_camera(1.0f));
     settings.energy_compensation = false;
     settings.samples = 256;
+    settings.edge_samples = 16;
     scene::Light light;
     light.kind = scene::LightKind::directional;
     light.direction = {0.0f, 0.0f, -1.0f};

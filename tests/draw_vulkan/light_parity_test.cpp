@@ -135,7 +135,7 @@ public:
     LightOnDevice(const vulkan::Device& device, const Surroundings& setup, std::size_t room)
         : device_(device), cache_(device, {}), layout_(pass_layout(device)),
           passes_(cache_, *layout_, {1, setup.context.model, setup.context.mip_level}),
-          picture_(device, setup.context, setup.lights), on_device_(device, setup.context),
+          picture_(device, setup.context, setup.tables, setup.lights), on_device_(device, setup.context),
           tile_(device, {64, 64, 1, 0, room}), nothing_(filled_buffer(device, std::vector<float>(16))),
           lights_(!setup.lights.empty()), environment_(setup.context.environment != nullptr)
     {

@@ -130,10 +130,10 @@ const std::vector<std::size_t> picture_offsets = {
     offsetof(PictureRecord, direction_dx), offsetof(PictureRecord, direction_dy),
     offsetof(PictureRecord, tile),         offsetof(PictureRecord, apron),
     offsetof(PictureRecord, surfaces),     offsetof(PictureRecord, edges),
-    offsetof(PictureRecord, background),   offsetof(PictureRecord, blur),
-    offsetof(PictureRecord, behind),       offsetof(PictureRecord, panorama),
-    offsetof(PictureRecord, report),       offsetof(PictureRecord, addresses),
-    offsetof(PictureRecord, layers)};
+    offsetof(PictureRecord, corners),      offsetof(PictureRecord, background),
+    offsetof(PictureRecord, blur),         offsetof(PictureRecord, behind),
+    offsetof(PictureRecord, panorama),     offsetof(PictureRecord, report),
+    offsetof(PictureRecord, addresses),    offsetof(PictureRecord, layers)};
 
 void expect_picture(const Reflection& r, std::uint32_t record, const char* shader)
 {

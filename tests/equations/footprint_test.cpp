@@ -182,5 +182,20 @@ TEST(Footprint, GaussianOnTheSphereIsADensity)
     }
 }
 
+// Two normals at the least cosine mirror one view to directions that differ by alpha; in the bounds of mirrors and of
+// rough surfaces by a hundredth, and by twice the angle that is given.
+TEST(Footprint, SharedNormalsMirrorToWithinALobe)
+{
+    for (const auto& [alpha, between] :
+         {std::pair(0.0, 0.01), {0.004, 0.01}, {0.03, 0.03}, {0.2, 0.2}, {0.9, 2.0 * std::acos(0.966)}}) {
+        const double angle = std::acos(in_double::shared_cosine(alpha, 0.966));
+        const in_double::vec3 view(0.6, 0.0, 0.8), tilted(std::sin(angle), 0.0, std::cos(angle));
+        const in_double::vec3 a = in_double::mirrored(in_double::vec3(0.0, 0.0, 1.0), view),
+                              b = in_double::mirrored(tilted, view);
+        EXPECT_NEAR(std::atan2(a.x * b.z - a.z * b.x, a.x * b.x + a.z * b.z), -between, 1e-9) << alpha;
+    }
+    EXPECT_EQ(in_double::shared_cosine(0.5, 2.0), 2.0); // no two samples are shaded as one
+}
+
 } // namespace
 } // namespace lambent::test

@@ -96,7 +96,7 @@ Group<A> light_group()
                        "specular environment light: `sampled`, or `split-sum`: [8 wide "
                        "lookups](ERRORS.md#split-sum), whatever `--samples` is")
                  .control(9, {"Specular light", "Light"}),
-             // The control ends below the option's limit, as that of --aa does: more samples take minutes.
+             // The control ends below the limit of the option: more samples take minutes.
              R("samples", "N", whole(1, 65536), "40")
                  .at([](auto& a) -> auto& { return a.settings.samples; })
                  .says("Samples of the specular lobe")
@@ -136,10 +136,10 @@ Group<A> view_group()
              .says("Vertical field of view, 0.1 to 175 degrees",
                    "vertical field of view, 0.1 to 175 degrees; not with `--camera-node`")
              .control(18, {"Field of view", "Camera", 1.0, 170.0}),
-         R("aa", "N", whole(1, 64), "4")
+         R("aa", "N", whole(1, 64), "24")
              .at([](auto& a) -> auto& { return a.settings.edge_samples; })
              .says("Samples per pixel at the edges of surfaces")
-             .control(19, {"Edge samples", "Camera", 1.0, 16.0}),
+             .control(19, {"Edge samples", "Camera", 1.0, 64.0}),
          R("animation", "NAME|N", any_text())
              .at([](auto& a) -> auto& { return a.animation; })
              .form(Form::joined)

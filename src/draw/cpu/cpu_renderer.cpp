@@ -130,7 +130,8 @@ public:
 
     bool advance(const GoOn& go_on) override
     {
-        const PictureContext picture{renderer_.prepared(settings_.texel_transfer), settings_, prepared_};
+        const PictureContext picture =
+            picture_context(renderer_.prepared(settings_.texel_transfer), settings_, prepared_);
         ProgressReporter reporter(go_on, tiles_.done_count(), tiles_.count());
         tbb::enumerable_thread_specific<TileDrawer> drawers([&] { return TileDrawer(picture); });
         tbb::parallel_for(0, tiles_.count(), [&](int tile) {

@@ -20,14 +20,15 @@ enum VisibilityColumn : int {
     all_columns
 };
 
-/// Fragments in groups of one instance each. A group starts at a multiple of `group_alignment` and is padded to the
-/// next with fragments of weight 0, so that SIMD loops need no tail.
+/// Fragments in groups of one instance, and of small or large fragments, each. A group starts at a multiple of
+/// `group_alignment` and is padded to the next with fragments of weight 0, so that SIMD loops need no tail.
 class Fragments {
 public:
     static constexpr std::size_t group_alignment = 16;
 
     struct Group {
         std::uint32_t instance = 0;
+        bool small = false;             ///< whether its fragments cover less than `small_share` of a pixel
         std::size_t begin = 0, end = 0; ///< multiples of group_alignment
     };
 

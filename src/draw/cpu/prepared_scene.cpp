@@ -37,6 +37,10 @@ void PreparedScene::pose(const scene::Scene& posed)
     visibility_.reset(); // frees its memory before the next is made
     visibility_.emplace(posed);
     surfaces_.clear();
+    alphas_.clear();
+    std::vector<TypicalAlpha> alphas;
+    for (std::size_t i = 0; i < posed.materials.size(); ++i)
+        alphas.emplace_back(posed.materials[i], textures_.of(i));
     for (const scene::Instance& instance : posed.instances) {
         const scene::Mesh& mesh = posed.meshes[static_cast<std::size_t>(instance.mesh)];
         const std::size_t material = scene::material_of(posed, instance);
@@ -55,6 +59,7 @@ void PreparedScene::pose(const scene::Scene& posed)
                          });
         context.normal_scales = normal_scales_of(*context.material);
         surfaces_.push_back(context);
+        alphas_.push_back(alphas[material]);
     }
 }
 

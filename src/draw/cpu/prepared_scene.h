@@ -2,6 +2,7 @@
 #pragma once
 
 #include "draw/textures/scene_textures.h"
+#include "draw/textures/typical_alpha.h"
 #include "draw/cpu/surface_kernel.h"
 #include "trace/visibility.h"
 #include "scene/scene.h"
@@ -27,6 +28,11 @@ public:
     /// Data shared by an instance's surfaces; the caller sets rays, model and the picture's other settings.
     const SurfaceContext& surface(std::uint32_t instance) const { return surfaces_[instance]; }
 
+    /// How smooth an instance's surfaces are.
+    const TypicalAlpha& typical_alpha(std::uint32_t instance) const { return alphas_[instance]; }
+
+    std::size_t instance_count() const { return surfaces_.size(); }
+
     /// Whether rays pass through the back faces of this instance.
     bool culls_back(std::uint32_t instance) const { return !surfaces_[instance].material->double_sided; }
 
@@ -34,6 +40,7 @@ private:
     SceneTextures textures_;
     std::optional<Visibility> visibility_;
     std::vector<SurfaceContext> surfaces_;
+    std::vector<TypicalAlpha> alphas_; ///< by instance
 };
 
 } // namespace lambent::draw

@@ -88,7 +88,8 @@ void TileDrawer::light_group(const Fragments::Group& group)
     }
     if (picture_.prepared.light.environment) {
         light_ambiently(picture_.prepared.light, group.begin, group.end, fragments_);
-        light_specularly(picture_.prepared.light, group.begin, group.end, fragments_);
+        light_specularly(group.small ? picture_.prepared.few_light : picture_.prepared.light, group.begin,
+                         group.end, fragments_);
     }
 }
 

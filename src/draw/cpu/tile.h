@@ -18,7 +18,10 @@ struct PictureContext {
     const PreparedScene& scene;
     const Settings& settings;
     const PreparedPicture& prepared;
+    std::vector<float> shared_cosines; ///< by instance: see Edges::shared_cosine
 };
+PictureContext picture_context(const PreparedScene& scene, const Settings& settings,
+                               const PreparedPicture& prepared);
 
 struct TileArea {
     int x, y, width, height; ///< pixels
@@ -48,6 +51,9 @@ private:
     void look_at_centres(const TileArea& area);
     bool is_edge(int column, int row) const;
     void choose_looks(const TileArea& area);
+    void look_at_corners(const TileArea& area);
+    void look_at_edges(const TileArea& area);
+    bool share_shading(const Hit& a, const Hit& b) const;
     void build_fragments();
     void choose_places();
     void place_fragments();
@@ -70,6 +76,7 @@ private:
     std::vector<std::uint32_t> centre_;     ///< [row of the apron][column]: index into centres_
     std::vector<Seen> seen_;                ///< [row of the apron][column]
     std::vector<Look> looks_;               ///< of the current wave
+    std::vector<Look> middles_;             ///< through the centres of pixels at edges
     std::vector<Look> edges_;               ///< of pixels at edges, several each
     std::vector<Look> surfaces_;            ///< looks that became fragments: one per surface and pixel
     std::vector<glm::vec2> means_;          ///< of each of surfaces_: weighted sum of its looks' positions

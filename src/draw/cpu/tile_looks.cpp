@@ -15,23 +15,6 @@ namespace {
 
 constexpr std::uint32_t no_surface = std::numeric_limits<std::uint32_t>::max();
 
-// Whether no edge lies between two points: their instance is the same, their normals are similar, and the second is
-// less than a pixel's width from the tangent plane of the first.
-bool same_surface(const Seen& a, const Seen& b, float least_cosine)
-{
-    if (a.instance != b.instance)
-        return false;
-    if (a.instance == Hit::nothing)
-        return true;
-    return glm::dot(a.normal, b.normal) > least_cosine &&
-           std::fabs(glm::dot(b.point - a.point, a.normal)) < a.pixel_width;
-}
-
-bool shares_shading(const Hit& a, const Hit& b, float least_cosine)
-{
-    return a.instance == b.instance && a.front == b.front && glm::dot(a.normal, b.normal) > least_cosine;
-}
-
 } // namespace
 
 // Traces a look through the centre of every pixel of the area and its border, in blocks of 4x4: a packet of rays.
@@ -70,52 +53,6 @@ void TileDrawer::look_at_centres(const TileArea& area)
     }
 }
 
-// Whether an edge lies between the centre of a pixel of the apron and that of a neighbour.
-bool TileDrawer::is_edge(int column, int row) const
-{
-    const Seen* const middle = seen_.data() + row * apron_width_ + column;
-    const int first = column > 0 ? -1 : 0, last = column < apron_width_ - 1 ? 1 : 0;
-    for (int r = row > 0 ? -1 : 0; r <= (row < apron_height_ - 1 ? 1 : 0); ++r)
-        for (int c = first; c <= last; ++c)
-            if (!same_surface(*middle, middle[r * apron_width_ + c], picture_.prepared.edges.bend_cosine))
-                return true;
-    return false;
-}
-
-// Chooses the looks of every pixel: the one through its centre or, at an edge, several.
-void TileDrawer::choose_looks(const TileArea& area)
-{
-    looks_.clear();
-    edges_.clear();
-    const std::vector<glm::vec2>& places = picture_.prepared.edges.places;
-    const bool several = places.size() > 1;
-    for (int y = 0; y < area.height; ++y)
-        for (int x = 0; x < area.width; ++x) {
-            const int column = area.x + x - apron_x_, row = area.y + y - apron_y_;
-            Look look = centres_[centre_[static_cast<std::size_t>(row * apron_width_ + column)]];
-            look.pixel = static_cast<std::uint32_t>(y * area.width + x);
-            if (!several || !is_edge(column, row)) {
-                looks_.push_back(look);
-                continue;
-            }
-            look.weight = 1.0f / static_cast<float>(places.size());
-            look.extent = picture_.prepared.edges.extent;
-            look.near = 0.0f;
-            for (const glm::vec2& place : places) {
-                look.x = static_cast<float>(area.x + x) + place.x;
-                look.y = static_cast<float>(area.y + y) + place.y;
-                edges_.push_back(look);
-            }
-            // The central look has weight 0, but its surface may be shaded there.
-            look.x = static_cast<float>(area.x + x) + 0.5f;
-            look.y = static_cast<float>(area.y + y) + 0.5f;
-            look.weight = 0.0f;
-            edges_.push_back(look);
-        }
-    sight_.look(edges_);
-    looks_.insert(looks_.end(), edges_.begin(), edges_.end());
-}
-
 void TileDrawer::place_fragment(const Look& look, std::size_t at)
 {
     fragments_[place_x][at] = look.x;
@@ -145,8 +82,7 @@ void TileDrawer::build_fragments()
         if (surfaces_.empty() || surfaces_.back().pixel != look.pixel)
             first_of_pixel = surfaces_.size();
         std::size_t at = first_of_pixel;
-        while (at < surfaces_.size() &&
-               !shares_shading(look.hit, surfaces_[at].hit, picture_.prepared.edges.shared_cosine))
+        while (at < surfaces_.size() && !share_shading(look.hit, surfaces_[at].hit))
             ++at;
         if (at == surfaces_.size() && look.weight <= 0.0f)
             continue;
@@ -156,6 +92,7 @@ void TileDrawer::build_fragments()
             means_.emplace_back(look.weight * look.x, look.weight * look.y);
         } else {
             surfaces_[at].weight += look.weight;
+            surfaces_[at].extent = std::hypot(surfaces_[at].extent, look.extent);
             means_[at] += look.weight * glm::vec2(look.x, look.y);
         }
     }
@@ -173,13 +110,14 @@ void TileDrawer::choose_places()
         const std::size_t at = surface_of_[i];
         if (at == no_surface || distance(looks_[i], at) >= distance(surfaces_[at], at))
             continue;
-        const float weight = surfaces_[at].weight;
+        const float weight = surfaces_[at].weight, side = surfaces_[at].extent;
         surfaces_[at] = looks_[i];
         surfaces_[at].weight = weight;
+        surfaces_[at].extent = side;
     }
 }
 
-// Makes a group for each visible instance, and stores the surfaces in their groups.
+// Makes a group for the small and for the large surfaces of each visible instance, and stores the surfaces in their groups.
 void TileDrawer::place_fragments()
 {
     auto& groups = fragments_.groups;
@@ -188,13 +126,14 @@ void TileDrawer::place_fragments()
     group_of_.clear();
     for (const Look& look : surfaces_) {
         // Neighbours mostly show the same instance, so the group of the last one is tried first.
-        if (groups.empty() || groups[last].instance != look.hit.instance) {
-            const auto found = std::find_if(groups.begin(), groups.end(), [&](const Fragments::Group& group) {
-                return group.instance == look.hit.instance;
-            });
+        const auto holds = [&, small = look.weight < small_share](const Fragments::Group& group) {
+            return group.instance == look.hit.instance && group.small == small;
+        };
+        if (groups.empty() || !holds(groups[last])) {
+            const auto found = std::find_if(groups.begin(), groups.end(), holds);
             last = static_cast<std::size_t>(found - groups.begin());
             if (found == groups.end())
-                groups.push_back({look.hit.instance, 0, 0});
+                groups.push_back({look.hit.instance, look.weight < small_share, 0, 0});
         }
         group_of_.push_back(static_cast<std::uint32_t>(last));
         ++groups[last].end;

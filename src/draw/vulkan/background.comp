@@ -19,7 +19,7 @@ vec3 light_behind(vec2 place)
 {
     if (picture.behind.x == background_color)
         return picture.background.rgb;
-    return background_light(Environment(picture.samples.x, picture.fragments.w),
+    return background_light(Environment(picture.samples.x, 0, picture.fragments.w),
                             normalize(picture.direction.xyz + place.x * picture.direction_dx.xyz +
                                       place.y * picture.direction_dy.xyz));
 }

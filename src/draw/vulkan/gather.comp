@@ -1,8 +1,8 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Turns the looks of the listed pixels into fragments, one per surface and pixel. A surface is shaded at the one of its
-// looks that is nearest to their mean position. Wave 0 takes looks at edges, later waves those behind transparent
-// surfaces.
+// Turns the looks of the listed pixels into fragments, one for all looks of a pixel that share their shading. It is shaded
+// at the one of them that is nearest to their mean position. Wave 0 takes looks at edges, later waves those behind
+// transparent surfaces.
 #include "draw/vulkan/bindings.glsl"
 #include "draw/vulkan/geometry.glsl"
 
@@ -18,6 +18,7 @@ float weight[looks];
 int owner[looks]; // the first look at the same surface; -1: none
 // For each surface, at the index of its first look.
 float sum[looks];
+float area[looks]; // square pixels
 vec2 mean[looks];
 int best[looks];
 
@@ -32,36 +33,93 @@ float share_of(int look, uint pixel)
 
 float extent_of(int look, uint pixel)
 {
-    return wave == 0 ? picture.edges.z : behind[pixel * uint(looks) + uint(look)].z;
+    if (wave == 0)
+        return look == looks - 1 ? 0.0 : picture.edges.z;
+    return behind[pixel * uint(looks) + uint(look)].z;
 }
 
-// The first look at the same surface, by linear search, as there are rarely more than five looks. A new surface needs a
-// positive weight; else -1.
+// The least cosine between normals of looks at an instance that share their shading.
+float least_cosine(uint instance)
+{
+    vec2 own = materials[instances[instance].ids.y].smoothness.xy;
+    float roughness = picture.surfaces.x;
+    float alpha = picture.surfaces.y > 0.0 ? own.y : roughness >= 0.0 ? roughness * roughness : own.x;
+    return shared_cosine(alpha, picture.edges.y);
+}
+
+void face(int look, ivec2 pixel)
+{
+    id[look] = texelFetch(ids, ivec3(pixel - picture.apron.xy, look), 0).xy;
+    if (id[look].x == nothing)
+        return;
+    Triangle triangle = triangle_of(id[look]);
+    front[look] = front_of(triangle, id[look].x);
+    faces[look] = dot(front[look], sight_through(vec2(pixel) + places[look]).direction) < 0.0;
+}
+
+bool share_shading(int a, int b, float least)
+{
+    return id[a].x == id[b].x &&
+           (id[a].x == nothing || (faces[a] == faces[b] && dot(front[a], front[b]) > least));
+}
+
+// The first look that shares its shading with this one, by linear search. A new surface needs a positive weight; else -1.
 int first_alike(int look)
 {
+    float least = least_cosine(id[look].x);
     for (int before = 0; before < look; ++before)
-        if (owner[before] == before && id[before].x == id[look].x && faces[before] == faces[look] &&
-            dot(front[before], front[look]) > picture.edges.y)
+        if (owner[before] == before && share_shading(before, look, least))
             return before;
     return weight[look] > 0.0 ? look : -1;
 }
 
-void see(int look, ivec2 pixel)
+// Whether the corners of a pixel share the shading of its centre: it then needs no other look.
+bool is_uniform(ivec2 pixel)
 {
-    Triangle triangle = triangle_of(id[look]);
-    front[look] = front_of(triangle, id[look].x);
-    faces[look] = dot(front[look], sight_through(vec2(pixel) + places[look]).direction) < 0.0;
+    int middle = looks - 1;
+    face(middle, pixel);
+    float least = id[middle].x == nothing ? 0.0 : least_cosine(id[middle].x);
+    for (int corner = 0; corner < 4; ++corner) {
+        face(picture.corners[corner], pixel);
+        if (!share_shading(picture.corners[corner], middle, least))
+            return false;
+    }
+    return true;
+}
+
+void see(int look, uint index)
+{
     int at = first_alike(look);
     owner[look] = at;
     if (at < 0)
         return;
     if (at == look) {
         sum[at] = 0.0;
+        area[at] = 0.0;
         mean[at] = vec2(0.0);
         best[at] = look;
     }
+    float extent = extent_of(look, index);
     sum[at] += weight[look];
+    area[at] += extent * extent;
     mean[at] += weight[look] * places[look];
+}
+
+// Makes the look through the centre the only one. Returns the number of surfaces.
+uint look_at_centre(inout float background)
+{
+    for (int look = 0; look < looks; ++look)
+        owner[look] = -1;
+    int middle = looks - 1;
+    if (id[middle].x == nothing) {
+        background += 1.0;
+        return 0u;
+    }
+    owner[middle] = middle;
+    best[middle] = middle;
+    sum[middle] = 1.0;
+    area[middle] = 1.0;
+    return 1u;
 }
 
 // Returns the number of surfaces; adds the share of the pixel without a surface to `background`.
@@ -73,11 +131,11 @@ uint look_at_pixel(uint index, ivec2 pixel, inout float background)
         weight[look] = share_of(look, index);
         if (weight[look] < 0.0)
             continue;
-        id[look] = texelFetch(ids, ivec3(pixel - picture.apron.xy, look), 0).xy;
+        face(look, pixel);
         if (id[look].x == nothing)
             background += weight[look];
         else
-            see(look, pixel);
+            see(look, index);
         surfaces += owner[look] == look ? 1u : 0u;
     }
     for (int look = 0; look < looks; ++look) {
@@ -96,7 +154,8 @@ void main()
     uint width = uint(picture.tile.z);
     ivec2 pixel = picture.tile.xy + ivec2(index % width, index / width);
     float background = wave == 0 ? 0.0 : uintBitsToFloat(spans[index].z);
-    uint surfaces = look_at_pixel(index, pixel, background);
+    bool uniform_pixel = wave == 0 && is_uniform(pixel);
+    uint surfaces = uniform_pixel ? look_at_centre(background) : look_at_pixel(index, pixel, background);
     uint first = surfaces > 0u ? add_fragments(surfaces) : 0u;
     bool fits = first + surfaces <= uint(picture.fragments.x);
     spans[index] = uvec4(first, fits ? surfaces : 0u, floatBitsToUint(background), 0u);
@@ -107,7 +166,7 @@ void main()
             continue;
         int lit = best[look];
         records[first].ids = uvec4(id[lit], index, uint(lit));
-        records[first].place = vec4(vec2(pixel) + places[lit], sum[look], extent_of(lit, index));
+        records[first].place = vec4(vec2(pixel) + places[lit], sum[look], sqrt(area[look]));
         ++first;
     }
 }

@@ -2,6 +2,7 @@
 
 struct Environment {
     int samples;
+    int first_sample;
     int lamps;
 };
 
@@ -30,9 +31,9 @@ int lamp_count(Environment e) { return e.lamps; }
 vec3 lamp_direction(Environment e, int i) { return lamps[i].direction.xyz; }
 vec3 lamp_light(Environment e, int i) { return lamps[i].light.xyz; }
 int sample_count(Environment e) { return e.samples; }
-vec3 cap_point(Environment e, int i) { return samples[i].cap.xyz; }
-vec3 lobe_point(Environment e, int i) { return samples[i].lobe.xyz; }
-vec2 pixel_point(Environment e, int i) { return vec2(samples[i].cap.w, samples[i].lobe.w); }
+vec3 cap_point(Environment e, int i) { return samples[e.first_sample + i].cap.xyz; }
+vec3 lobe_point(Environment e, int i) { return samples[e.first_sample + i].lobe.xyz; }
+vec2 pixel_point(Environment e, int i) { return vec2(samples[e.first_sample + i].cap.w, samples[e.first_sample + i].lobe.w); }
 
 float highest_level(Environment e) { return float(textureQueryLevels(chain) - 1); }
 float highest_report_level(Environment e) { return float(textureQueryLevels(mips) - 1); }

@@ -88,9 +88,11 @@ void add_direct(Environment e, uint at, bool lit)
 void main()
 {
     uint at = gl_GlobalInvocationID.x;
-    Environment e = Environment(picture.samples.x, picture.fragments.w);
     Fragment f = Fragment(at);
-    bool lit = at < fragment_count() && load(f, column_lit) > 0.0;
+    bool there = at < fragment_count();
+    bool few = there && records[at].place.z < small_share;
+    Environment e = Environment(few ? picture.samples.w : picture.samples.x, few ? picture.samples.x : 0, picture.fragments.w);
+    bool lit = there && load(f, column_lit) > 0.0;
     if (pass == pass_direct)
         add_direct(e, at, lit);
     else if (!lit)

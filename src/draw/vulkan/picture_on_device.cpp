@@ -26,14 +26,21 @@ std::vector<LightRecord> records_of(std::span<const LightSource> lights)
     return records;
 }
 
-std::vector<SampleRecord> records_of(const SampleTables& tables)
+void append(const SampleTables& tables, std::vector<SampleRecord>& records)
 {
-    std::vector<SampleRecord> records(tables.cap.size());
-    for (std::size_t i = 0; i < records.size(); ++i) {
-        records[i].cap = {tables.cap[i].xi2, tables.cap[i].cosine, tables.cap[i].sine, tables.pixel[i].x};
-        records[i].lobe = {tables.lobe[i].log2_xi2, tables.lobe[i].cosine, tables.lobe[i].sine,
-                           tables.pixel[i].y};
+    for (std::size_t i = 0; i < tables.cap.size(); ++i) {
+        const SampleTables::Cap& cap = tables.cap[i];
+        const SampleTables::Lobe& lobe = tables.lobe[i];
+        records.push_back({{cap.xi2, cap.cosine, cap.sine, tables.pixel[i].x},
+                           {lobe.log2_xi2, lobe.cosine, lobe.sine, tables.pixel[i].y}});
     }
+}
+
+std::vector<SampleRecord> records_of(const SampleTables& tables, const SampleTables& few_tables)
+{
+    std::vector<SampleRecord> records;
+    append(tables, records);
+    append(few_tables, records);
     return records;
 }
 
@@ -47,14 +54,14 @@ std::vector<LampRecord> records_of(const environment::Environment* environment)
     return records;
 }
 
-PictureRecord record_of(const LightContext& c, std::size_t lights)
+PictureRecord record_of(const LightContext& c, std::size_t few_samples, std::size_t lights)
 {
     PictureRecord p{};
     p.across = vec4(c.across, 0.0f);
     p.rotation = {c.rotation_cosine, c.rotation_sine, c.ambient_brightness,
                   c.energy_compensation ? 1.0f : 0.0f};
     p.fragments.z = static_cast<int>(lights);
-    p.samples = {static_cast<int>(c.tables->cap.size()), albedo_table_size, 0, 0};
+    p.samples = {static_cast<int>(c.tables->cap.size()), albedo_table_size, 0, static_cast<int>(few_samples)};
     if (c.pipeline) {
         p.panorama.y = 1.0f;
         p.report = {c.pipeline->decode, c.pipeline->exposure, c.pipeline->encode, c.pipeline->back};
@@ -82,9 +89,10 @@ std::vector<float> albedo_values()
 } // namespace
 
 PictureOnDevice::PictureOnDevice(const vulkan::Device& device, const LightContext& context,
-                                 std::span<const LightSource> lights)
-    : record_(record_of(context, lights.size())), lights_(filled_buffer(device, records_of(lights))),
-      samples_(filled_buffer(device, records_of(*context.tables))),
+                                 const SampleTables& few_tables, std::span<const LightSource> lights)
+    : record_(record_of(context, few_tables.cap.size(), lights.size())),
+      lights_(filled_buffer(device, records_of(lights))),
+      samples_(filled_buffer(device, records_of(*context.tables, few_tables))),
       lamps_(filled_buffer(device, records_of(context.environment))),
       albedo_(filled_buffer(device, albedo_values()))
 {

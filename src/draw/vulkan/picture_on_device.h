@@ -14,8 +14,8 @@ namespace lambent::draw {
 /// Lights, lamps, sample tables and the albedo table. Throws Error(no_device).
 class PictureOnDevice {
 public:
-    /// The device must outlive this; the other arguments are copied.
-    PictureOnDevice(const vulkan::Device& device, const LightContext& context,
+    /// `few_tables`: of small fragments. The device must outlive this; the other arguments are copied.
+    PictureOnDevice(const vulkan::Device& device, const LightContext& context, const SampleTables& few_tables,
                     std::span<const LightSource> lights);
 
     /// Sets the buffers at their bindings.

@@ -71,7 +71,7 @@ std::vector<glm::vec2> look_places(const Edges& edges)
 PicturePasses::PicturePasses(const DeviceTools& tools, const PreparedPicture& picture,
                              const scene::Bounds& bounds)
     : tools_(tools), prepared_(picture), bounds_(bounds), looks_(look_places(picture.edges)),
-      picture_(tools.device, picture.light, picture.lights), record_(picture_.record()),
+      picture_(tools.device, picture.light, picture.few_tables, picture.lights), record_(picture_.record()),
       has_background_(describe_background(tools.device, picture, tools.environment, record_)), set_(bind())
 {
     tools_.tile.place_looks(looks_);
@@ -79,7 +79,10 @@ PicturePasses::PicturePasses(const DeviceTools& tools, const PreparedPicture& pi
     describe_layers(picture.settings, tools.scene.has_unlit(), record_);
     record_.fragments.x = static_cast<int>(tools.tile.shape().capacity);
     record_.surfaces.x = picture.settings.roughness_override.value_or(-1.0f);
+    record_.surfaces.y = picture.settings.model == Model::phong ? 1.0f : 0.0f;
     record_.edges = {picture.edges.bend_cosine, picture.edges.shared_cosine, picture.edges.extent, 0.0f};
+    record_.corners = {picture.edges.corners[0], picture.edges.corners[1], picture.edges.corners[2],
+                       picture.edges.corners[3]};
     const VkDeviceAddress geometry = tools.scene.geometry().address();
     record_.addresses.x = static_cast<uint>(geometry);
     record_.addresses.y = static_cast<uint>(geometry >> 32);

@@ -1,6 +1,7 @@
 #include "draw/vulkan/scene_on_device.h"
 
 #include "base/error.h"
+#include "draw/textures/typical_alpha.h"
 #include "draw/vulkan/filled_buffer.h"
 #include "gpu_layout/layout.h"
 
@@ -191,6 +192,8 @@ void SceneOnDevice::place_materials(const vulkan::Device& device, const scene::S
         record.phong_specular = given(m.phong.specular);
         record.phong_exponent = {m.phong.exponent.value_or(0.0f), m.phong.exponent ? 1.0f : 0.0f,
                                  m.alpha_cutoff, 0.0f};
+        const TypicalAlpha typical(m, own);
+        record.smoothness = {typical.ggx, typical.phong, 0.0f, 0.0f};
         record.kind = {alpha_of(m.alpha_mode), m.unlit ? 1 : 0, 0, 0};
         has_unlit_ = has_unlit_ || m.unlit;
         has_layers_ = has_layers_ || scene::has_layers(m);

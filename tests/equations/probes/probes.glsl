@@ -367,7 +367,7 @@ Outputs sh_irradiance(Inputs i)
 Outputs footprint_levels(Inputs i)
 {
     Outputs o = {level_of_variance(decades(i.a, 1.0e-3, 1.0e7)), level_of_variance(4.0 * i.b),
-                 variance_of_spread(decades(i.c, 1.0e-8, 10.0)) + part_of_levels(4.0 * i.h - 1.0, 2.0),
+                 variance_of_spread(decades(i.c, 1.0e-8, 10.0)) + part_of_levels(4.0 * i.h - 1.0, 2.0) + shared_cosine(i.h, 0.9),
                  share_of_coarser(i.d, vec2(0.2, 0.3 + 0.5 * i.e)) + 0.01 * gaussian_on_sphere(4.0 * i.f, 0.05 + i.g)};
     return o;
 }
