@@ -10,6 +10,7 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -36,16 +37,22 @@ image::RadianceImage load(const std::string& name)
                                          : environment::load_unpacked_panorama(name, warnings);
 }
 
-// The instance whose middle is nearest to the line of sight, where surfaces cover the pixel: for a chart of spheres,
-// the sphere. Other scenes are one region.
-Regions regions_of(const scene::Scene& scene, const view::Picture& picture, const image::RadianceImage& drawn,
+struct References {
+    image::RadianceImage first, second;
+
+    ReferencePair pair() const { return {&first, &second}; }
+};
+
+// The instance whose middle is nearest to the line of sight, where surfaces cover a part of the pixel: for a chart of
+// spheres, the sphere. Other scenes are one region.
+Regions regions_of(const scene::Scene& scene, const view::Picture& picture, const References& traced,
                    bool chart)
 {
     const view::RayMap rays = view::ray_map(picture.camera, picture.width, picture.height);
     Regions regions;
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {
-            int region = drawn.pixel(x, y)[3] > 0.999f ? 0 : -1;
+            int region = std::max(traced.first.pixel(x, y)[3], traced.second.pixel(x, y)[3]) > 0.0f ? 0 : -1;
             if (chart && region == 0) {
                 const glm::vec3 d =
                     glm::normalize(rays.direction + (static_cast<float>(x) + 0.5f) * rays.direction_dx +
@@ -64,12 +71,6 @@ Regions regions_of(const scene::Scene& scene, const view::Picture& picture, cons
         }
     return regions;
 }
-
-struct References {
-    image::RadianceImage first, second;
-
-    ReferencePair pair() const { return {&first, &second}; }
-};
 
 References trace_twice(const scene::Scene& scene, const image::RadianceImage& environment,
                        reference::Settings settings, int bounces)
@@ -105,7 +106,7 @@ CaseErrors measure(const ErrorCase& c, int width, double seconds)
     how.seconds = seconds;
     const References direct = trace_twice(scene, raw, how, 0), full = trace_twice(scene, raw, how, 8);
     const bool chart = c.scene == "grid" || c.scene == "furnace";
-    const Regions regions = regions_of(scene, settings, at_40, chart);
+    const Regions regions = regions_of(scene, settings, direct, chart);
     return {region_error(at_40, direct.pair(), regions, 1.0f),
             region_error(at_1024, direct.pair(), regions, 1.0f),
             region_error(at_40, direct.pair(), regions, unlimited),

@@ -68,11 +68,17 @@ std::string percent(double share)
     return word;
 }
 
+// An error that the noise of the references hides is given by its bound.
+std::string percent(const RegionError& error)
+{
+    return error.resolved ? percent(error.mean) : "< " + percent(error.most);
+}
+
 void write_row(std::ofstream& out, const std::string& environment, const CaseErrors& e)
 {
     out << "| " << environment;
     for (const RegionError* error : {&e.clamped_40, &e.clamped_1024, &e.whole_40, &e.whole_1024, &e.full_40})
-        out << " | " << percent(error->mean);
+        out << " | " << percent(*error);
     out << " |\n" << std::flush;
 }
 
@@ -91,8 +97,8 @@ void write_tables(const Request& request)
                     bench::measure({scene, environment, model}, request.width, request.seconds);
                 write_row(out, short_name(environment), errors);
                 std::printf("%s %s %s: 40: %s, 1024: %s, full: %s\n", short_name(scene).c_str(), model,
-                            short_name(environment).c_str(), percent(errors.clamped_40.mean).c_str(),
-                            percent(errors.clamped_1024.mean).c_str(), percent(errors.full_40.mean).c_str());
+                            short_name(environment).c_str(), percent(errors.clamped_40).c_str(),
+                            percent(errors.clamped_1024).c_str(), percent(errors.full_40).c_str());
                 std::fflush(stdout);
             }
         }

@@ -13,6 +13,9 @@ using Regions = std::vector<int>;
 struct RegionError {
     double mean = 0.0;    ///< over the regions: relative RMSE, sqrt(mean((a - b)^2)) / mean(b)
     double largest = 0.0; ///< of them
+    double most =
+        0.0; ///< upper end of the interval of `mean`, two standard errors of the noise wide on either side
+    bool resolved = true; ///< whether the lower end is above 0
 };
 
 /// Two references of the same picture whose noise is independent.

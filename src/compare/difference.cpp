@@ -30,15 +30,27 @@ Sums joined(const Sums& a, const Sums& b)
     return {a.squares + b.squares, a.reference + b.reference, std::max(a.max, b.max)};
 }
 
+std::size_t pixels_of(const image::RadianceImage& picture)
+{
+    return static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
+}
+
 void check(const Pair& pair)
 {
     if (pair.picture.width != pair.reference.width || pair.picture.height != pair.reference.height)
         throw std::invalid_argument("pictures of different size cannot be compared");
+    if (!pair.covered.empty() && pair.covered.size() != pixels_of(pair.picture))
+        throw std::invalid_argument("coverage is needed for each pixel");
+}
+
+bool counts(const Pair& pair, std::size_t pixel)
+{
+    return pair.covered.empty() || pair.covered[pixel] != 0;
 }
 
 double value_count(const Pair& pair)
 {
-    return 3.0 * pair.picture.width * pair.picture.height;
+    return 3.0 * static_cast<double>(pixel_count(pair));
 }
 
 Sums sums_of(const Pair& pair)
@@ -47,8 +59,10 @@ Sums sums_of(const Pair& pair)
     const auto add_rows = [&](const tbb::blocked_range<int>& rows, Sums sums) {
         for (int y = rows.begin(); y < rows.end(); ++y)
             for (int x = 0; x < pair.picture.width; ++x)
-                for (int c = 0; c < 3; ++c)
-                    sums.add(pair.picture.pixel(x, y)[c], pair.reference.pixel(x, y)[c]);
+                if (counts(pair, static_cast<std::size_t>(y) * static_cast<std::size_t>(pair.picture.width) +
+                                     static_cast<std::size_t>(x)))
+                    for (int c = 0; c < 3; ++c)
+                        sums.add(pair.picture.pixel(x, y)[c], pair.reference.pixel(x, y)[c]);
         return sums;
     };
     // Deterministic: the same numbers on any number of threads.
@@ -88,6 +102,22 @@ double mean(const ErrorMap& map)
     for (const float value : map.values)
         sum += static_cast<double>(value);
     return map.values.empty() ? 0.0 : sum / static_cast<double>(map.values.size());
+}
+
+std::size_t pixel_count(const Pair& pair)
+{
+    return pair.covered.empty()
+               ? pixels_of(pair.picture)
+               : pair.covered.size() - static_cast<std::size_t>(std::ranges::count(pair.covered, char(0)));
+}
+
+double mean(const ErrorMap& map, const Pair& pair)
+{
+    double sum = 0.0;
+    for (std::size_t i = 0; i < map.values.size(); ++i)
+        sum += counts(pair, i) ? static_cast<double>(map.values[i]) : 0.0;
+    const std::size_t count = pixel_count(pair);
+    return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
 Difference difference(const Pair& pair, double peak)
@@ -132,7 +162,7 @@ ErrorMap relative_error(const Pair& pair)
 RegionError region_error(const Pair& pair, std::span<const int> labels, float limit)
 {
     check(pair);
-    if (labels.size() != static_cast<std::size_t>(value_count(pair) / 3.0))
+    if (labels.size() != pixels_of(pair.picture))
         throw std::invalid_argument("one label is needed for each pixel");
     struct Region {
         Sums sums;

@@ -9,11 +9,13 @@
 
 namespace lambent::compare {
 
-/// The two images of a comparison. Only red, green and blue count; coverage is ignored. Both must have the same size
-/// and finite values (see image_pair.h); the functions throw std::invalid_argument for images of different size.
+/// The two images of a comparison. Only red, green and blue count. Both must have the same size and finite values (see
+/// image_pair.h); the functions throw std::invalid_argument for images of different size.
 struct Pair {
     const image::RadianceImage& picture;
     const image::RadianceImage& reference;
+    std::span<const char> covered =
+        {}; ///< of each pixel, whether it is compared by difference() and mean(); empty: all
 };
 
 struct Difference {
@@ -25,6 +27,12 @@ struct Difference {
 
 /// `peak` is the largest possible value: 1 for codes.
 Difference difference(const Pair& pair, double peak);
+
+/// Number of pixels that are compared.
+std::size_t pixel_count(const Pair& pair);
+
+/// The mean of a map over the pixels that are compared.
+double mean(const ErrorMap& map, const Pair& pair);
 
 /// The largest value of an image, at least 0.
 double largest_value(const image::RadianceImage& picture);

@@ -106,12 +106,28 @@ ImagePair read_image_pair(const fs::path& picture, const fs::path& reference, Wa
     if (a.width != b.width || a.height != b.height || a.kind != b.kind)
         throw Error(Failure::bad_input, text(describe(picture, a), ", ", describe(reference, b),
                                              ": only pictures of one size and kind can be compared"));
-    ImagePair pictures{a.kind, read(picture, a, warnings), read(reference, b, warnings)};
+    ImagePair pictures{a.kind, read(picture, a, warnings), read(reference, b, warnings), {}};
     // A file may have changed since its header was read.
     if (pictures.picture.values.size() != pictures.reference.values.size() ||
         pictures.picture.width != pictures.reference.width)
         throw Error(Failure::bad_input, text(picture.string(), ": changed while it was read"));
     return pictures;
+}
+
+void keep_covered(const fs::path& picture, const fs::path& reference, ImagePair& pictures)
+{
+    pictures.covered.assign(pictures.picture.values.size() / 3, 0);
+    for (const fs::path* path : {&picture, &reference}) {
+        const std::vector<float> coverage = image::read_coverage(*path);
+        if (coverage.size() != pictures.covered.size())
+            throw Error(Failure::bad_input, text(path->string(), ": --covered: has no alpha channel; "
+                                                                 "lambent writes it to .exr files"));
+        for (std::size_t i = 0; i < coverage.size(); ++i)
+            pictures.covered[i] = pictures.covered[i] != 0 || coverage[i] > 0.0f ? 1 : 0;
+    }
+    if (std::find(pictures.covered.begin(), pictures.covered.end(), 1) == pictures.covered.end())
+        throw Error(Failure::bad_input, text(picture.string(), ", ", reference.string(),
+                                             ": --covered: no surface covers any pixel"));
 }
 
 void expose(image::RadianceImage& picture, float factor)

@@ -5,6 +5,7 @@
 #include "image/image.h"
 
 #include <filesystem>
+#include <vector>
 
 namespace lambent::compare {
 
@@ -22,6 +23,7 @@ struct ImagePair {
     Kind kind = Kind::srgb;
     image::RadianceImage picture;
     image::RadianceImage reference;
+    std::vector<char> covered; ///< of each pixel, whether it is compared; empty: all
 };
 
 /// Reads both. Sizes and kinds are compared before pixels are read. Values that are not finite become 0, with one
@@ -29,6 +31,11 @@ struct ImagePair {
 /// does not spoil the other results. Alpha is left out. Throws Error(bad_input).
 ImagePair read_image_pair(const std::filesystem::path& picture, const std::filesystem::path& reference,
                           Warnings& warnings);
+
+/// Restricts a comparison to the pixels that a surface covers, in part at least, in one of the two images. Throws
+/// Error(bad_input) if an image has no coverage (image::read_coverage), or none of its pixels is covered.
+void keep_covered(const std::filesystem::path& picture, const std::filesystem::path& reference,
+                  ImagePair& pictures);
 
 /// Multiplies all values. Products stay finite.
 void expose(image::RadianceImage& picture, float factor);

@@ -98,6 +98,49 @@ TEST(Compare, LightIsMeasuredAsItIs)
     EXPECT_EQ(json["flip_exposures"]["count"], 2);
 }
 
+// Grey light in a picture whose left half is covered, the outermost column by a hundredth.
+std::string write_half_covered(const Folder& folder, const std::string& name, float covered, float outside)
+{
+    image::RadianceImage light{40, 20, 4, {}};
+    for (int i = 0; i < 40 * 20; ++i) {
+        const int x = i % 40;
+        light.values.insert(light.values.end(), 3, x < 20 ? covered : outside);
+        light.values.push_back(x == 19 ? 0.01f : x < 20 ? 1.0f : 0.0f);
+    }
+    image::write_radiance(light, folder.path(name));
+    return folder.path(name);
+}
+
+TEST(Compare, OnlyWhatSurfacesCover)
+{
+    const Folder folder;
+    const std::string a = write_half_covered(folder, "a.exr", 1.1f, 5.0f),
+                      b = write_half_covered(folder, "b.exr", 1.0f, 1.0f);
+    const nlohmann::json all = json_of(lambent({"compare", a, b})),
+                         covered = json_of(lambent({"compare", a, b, "--covered", "--max-rel", "0.11"}));
+    EXPECT_NEAR(all["relative_rmse"].get<double>(), std::sqrt((0.01 + 16.0) / 2.0), 1e-6);
+    EXPECT_NEAR(covered["relative_rmse"].get<double>(), 0.1, 1e-6);
+    EXPECT_NEAR(covered["max"].get<double>(), 0.1, 1e-6);
+    EXPECT_LT(covered["flip"].get<double>(), all["flip"].get<double>());
+    EXPECT_EQ(covered["covered"], 400);
+    EXPECT_FALSE(all.contains("covered"));
+    EXPECT_NE(on_a_terminal({"compare", a, b, "--covered"}).find("400 that surfaces cover"),
+              std::string::npos);
+}
+
+TEST(Compare, CoverageHasToBeThere)
+{
+    const Folder folder;
+    const std::string covered = write_half_covered(folder, "a.exr", 1.0f, 1.0f),
+                      bare = write_light(folder, "b.exr", 1.0f), codes = write_codes(folder, "c.png", 255);
+    expect_refused({"compare", covered, bare, "--covered"}, 3, "b.exr: --covered: has no alpha channel");
+    expect_refused({"compare", codes, codes, "--covered"}, 3, "c.png: --covered: has no alpha channel");
+    image::RadianceImage empty{8, 8, 4, std::vector<float>(256, 0.0f)};
+    image::write_radiance(empty, folder.path("empty.exr"));
+    expect_refused({"compare", folder.path("empty.exr"), folder.path("empty.exr"), "--covered"}, 3,
+                   "no surface covers any pixel");
+}
+
 TEST(Compare, CodesAreMeasuredFromZeroToOne)
 {
     const Folder folder;

@@ -27,6 +27,20 @@ TEST(Difference, ByHand)
     EXPECT_EQ(largest_value(b), 3.0);
 }
 
+TEST(Difference, OnlyCoveredPixelsCount)
+{
+    const RadianceImage a{2, 1, 3, {2, 2, 4, 1, 2, 0}}, b{2, 1, 3, {1, 2, 2, 1, 2, 3}};
+    const std::vector<char> second = {0, 1};
+    const Pair pair{a, b, second};
+    EXPECT_EQ(pixel_count(pair), 1u);
+    EXPECT_NEAR(difference(pair, 1.0).rmse, std::sqrt(3.0), 1e-12);
+    EXPECT_NEAR(difference(pair, 1.0).relative_rmse, std::sqrt(3.0) / 2.0, 1e-12);
+    EXPECT_EQ(mean({2, 1, {0.25f, 0.75f}}, pair), 0.75);
+    EXPECT_EQ(mean({2, 1, {0.25f, 0.75f}}, {a, b}), 0.5);
+    const std::vector<char> three = {0, 1, 1};
+    EXPECT_THROW(difference({a, b, three}, 1.0), std::invalid_argument);
+}
+
 TEST(Difference, ASineOverWholePeriodsHasItsClosedForm)
 {
     RadianceImage a = constant(64, 64, {0.5f, 0.5f, 0.5f});

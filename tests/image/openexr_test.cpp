@@ -1,4 +1,5 @@
 // OpenEXR files as other programs make them, and as this one writes them.
+#include "image/files/image_io.h"
 #include "image/openexr/openexr.h"
 #include "tests/image/exr_files.h"
 
@@ -7,12 +8,14 @@
 #include <ImfMultiPartOutputFile.h>
 #include <ImfOutputPart.h>
 #include <ImfPartType.h>
+#include <ImfStandardAttributes.h>
 
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <limits>
 
 namespace lambent::image {
@@ -102,6 +105,41 @@ TEST(OpenExr, picks_channels)
     expect_read({.channels = {"R", "G", "B", "a.R", "a.G", "a.B"}}, in_order);
     expect_read({.channels = {"Y"}}, {0, 0, 0});
     expect_read({.channels = {"A", "Y"}, .tile = 4}, {1, 1, 1});
+}
+
+// The recipe's channel that a file's coverage is, none below 0; primaries change colours only.
+void expect_alpha(const ExrRecipe& recipe, int channel)
+{
+    const TemporaryFolder folder;
+    const Bytes bytes = make_exr(recipe);
+    const auto path = folder / "alpha.exr";
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    const std::vector<float> coverage = image::read_coverage(path);
+    if (channel < 0) {
+        EXPECT_TRUE(coverage.empty());
+        return;
+    }
+    ASSERT_EQ(coverage.size(), static_cast<std::size_t>(recipe.width * recipe.height));
+    for (int y = 0; y < recipe.height; ++y)
+        for (int x = 0; x < recipe.width; ++x)
+            ASSERT_EQ(coverage[static_cast<std::size_t>(y * recipe.width + x)],
+                      exr_value(x, y, static_cast<std::size_t>(channel)));
+}
+
+TEST(OpenExr, coverage_is_the_alpha_of_the_colours)
+{
+    expect_alpha({.channels = {"A", "B", "G", "R"},
+                  .attributes =
+                      [](Imf::Header& header) {
+                          Imf::addChromaticities(
+                              header,
+                              Imf::Chromaticities({0.708f, 0.292f}, {0.17f, 0.797f}, {0.131f, 0.046f}));
+                      }},
+                 0);
+    expect_alpha({.channels = {"A", "diffuse.A", "diffuse.B", "diffuse.G", "diffuse.R"}}, 1);
+    expect_alpha({.channels = {"A", "Y"}, .tile = 4}, 0);
+    expect_alpha({.channels = {"B", "G", "R", "other.A"}}, -1);
 }
 
 TEST(OpenExr, the_first_part_with_colour)

@@ -45,6 +45,8 @@ void check_heat_file(const std::string& path)
 compare::ImagePair prepare(const CompareArguments& arguments, Warnings& warnings)
 {
     compare::ImagePair pictures = compare::read_image_pair(arguments.picture, arguments.reference, warnings);
+    if (arguments.covered)
+        compare::keep_covered(arguments.picture, arguments.reference, pictures);
     if (arguments.exposure && pictures.kind == compare::Kind::srgb)
         throw Error(Failure::usage, "--exposure: only for linear light, .exr or .hdr");
     for (image::RadianceImage* picture : {&pictures.picture, &pictures.reference}) {
@@ -67,7 +69,7 @@ double peak_of(const CompareArguments& arguments, const compare::ImagePair& pict
 
 Findings find(const CompareArguments& arguments, const compare::ImagePair& pictures, Console& console)
 {
-    const compare::Pair pair{pictures.picture, pictures.reference};
+    const compare::Pair pair{pictures.picture, pictures.reference, pictures.covered};
     const compare::FlipSettings settings{arguments.pixels_per_degree,
                                          [&](float done) { console.progress(done); }};
     Findings findings;
@@ -80,7 +82,7 @@ Findings find(const CompareArguments& arguments, const compare::ImagePair& pictu
         findings.exposures = flip.exposures;
     }
     console.end_progress();
-    findings.flip = compare::mean(findings.flip_map);
+    findings.flip = compare::mean(findings.flip_map, pair);
     return findings;
 }
 
@@ -115,6 +117,8 @@ Json describe(const compare::ImagePair& pictures, const Findings& findings)
                  {"width", pictures.picture.width},
                  {"height", pictures.picture.height},
                  {"kind", compare::name_of(pictures.kind)}};
+    if (!pictures.covered.empty())
+        json["covered"] = compare::pixel_count({pictures.picture, pictures.reference, pictures.covered});
     if (findings.exposures)
         json["flip_exposures"] = {{"start", findings.exposures->start},
                                   {"stop", findings.exposures->stop},

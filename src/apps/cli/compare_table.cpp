@@ -48,6 +48,9 @@ std::string compare_table(const nlohmann::ordered_json& findings)
     std::snprintf(size, sizeof size, "%dx%d, %s", findings.at("width").get<int>(),
                   findings.at("height").get<int>(), light ? "linear light" : "sRGB codes from 0 to 1");
     std::string table = line("pictures", size);
+    if (findings.contains("covered"))
+        table += line("pixels",
+                      std::to_string(findings.at("covered").get<std::size_t>()) + " that surfaces cover");
     for (const Row& row : rows)
         table += line(row.name, value_of(row, findings.at(row.key)));
     if (light) {

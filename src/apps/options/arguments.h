@@ -80,6 +80,7 @@ struct CompareArguments {
     Heat heat = Heat::flip;
     std::optional<float> exposure; ///< linear light only
     std::optional<float> clamp;    ///< upper bound of values, after the exposure
+    bool covered = false;          ///< only the pixels that surfaces cover
     double pixels_per_degree = 67.0;
     bool json = false;                  ///< print JSON even on a terminal
     std::optional<double> max_flip;     ///< exit code 1 above this

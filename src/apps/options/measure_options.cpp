@@ -72,6 +72,12 @@ const std::vector<Group<CompareArguments>>& groups<CompareArguments>()
           R("clamp", "X", above_zero())
               .at([](auto& a) -> auto& { return a.clamp; })
               .says("Clamp both pictures to [0, X], after the exposure"),
+          R("covered")
+              .at([](auto& a) -> auto& { return a.covered; })
+              .says("Compare only pixels that surfaces cover: .exr with alpha",
+                    "compare only the pixels that surfaces cover, in part at least, in either picture: "
+                    "`.exr` files "
+                    "with alpha; this is the measure of [the error tables](ERRORS.md)"),
           R("ppd", "P", number(1.0, 1000.0), "67")
               .at([](auto& a) -> auto& { return a.pixels_per_degree; })
               .says("FLIP: pixels per degree of the field of view, 1 to 1000",

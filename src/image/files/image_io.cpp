@@ -115,6 +115,21 @@ CodeImage read_codes(const std::filesystem::path& path, Warnings* warnings)
     return decode_codes(read_all(*source), source->name(), warnings);
 }
 
+std::vector<float> read_coverage(const std::filesystem::path& path)
+{
+    std::unique_ptr<ByteSource> source = open_bytes(path);
+    if (content_of(*source) != Content::exr)
+        return {};
+    const std::unique_ptr<RadianceReader> reader = open_exr_alpha(std::move(source));
+    if (!reader)
+        return {};
+    const RadianceImage grey = read_all_rows(*reader);
+    std::vector<float> coverage(grey.values.size() / 3);
+    for (std::size_t i = 0; i < coverage.size(); ++i)
+        coverage[i] = grey.values[3 * i];
+    return coverage;
+}
+
 ImageInfo inspect(const std::filesystem::path& path, Warnings* warnings)
 {
     std::unique_ptr<ByteSource> source = open_bytes(path);

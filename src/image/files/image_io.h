@@ -36,6 +36,10 @@ CodeImage decode_codes(std::span<const std::uint8_t> bytes, const std::string& n
 /// Reads a PNG or JPEG file as decode_codes. Throws Error(bad_input).
 CodeImage read_codes(const std::filesystem::path& path, Warnings* warnings = nullptr);
 
+/// The coverage of each pixel by surfaces, rows from the top: the alpha channel of an OpenEXR file, as stored. Empty for
+/// files without one and for other formats. Throws Error(bad_input).
+std::vector<float> read_coverage(const std::filesystem::path& path);
+
 /// Formats of output files.
 enum class FileKind { png, jpeg, exr, hdr, unknown };
 

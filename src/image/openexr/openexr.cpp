@@ -53,8 +53,8 @@ ExrWindow shown_window(const ExrPart& part, const std::string& name)
 
 class ExrReader : public RadianceReader {
 public:
-    ExrReader(std::unique_ptr<ByteSource> source, ExrHeader header)
-        : source_(std::move(source)), choice_(choose_channels(header, source_->name())),
+    ExrReader(std::unique_ptr<ByteSource> source, ExrHeader header, ExrChoice choice, bool is_colour)
+        : source_(std::move(source)), choice_(std::move(choice)),
           part_(header.parts[static_cast<std::size_t>(choice_.part)]),
           shown_(shown_window(part_, source_->name())), stream_(*source_, std::move(header.bytes)),
           rows_(open_exr_rows(stream_, choice_, part_, threads()))
@@ -64,7 +64,7 @@ public:
         projection_ = part_.projection;
         for (const std::string& warning : part_.warnings)
             warnings_.push_back(text(source_->name(), ": ", warning));
-        if (part_.primaries)
+        if (part_.primaries && is_colour)
             if (const ColourMatrix matrix = *to_rec709(*part_.primaries); !is_identity(matrix))
                 matrix_ = matrix;
     }
@@ -158,14 +158,17 @@ std::string describe(const ExrPart& part)
     return line;
 }
 
-} // namespace
-
-std::unique_ptr<RadianceReader> open_exr(std::unique_ptr<ByteSource> source)
+std::unique_ptr<RadianceReader> open_channels(std::unique_ptr<ByteSource> source, bool is_colour)
 {
     const std::string name = source->name();
     ExrHeader header = read_exr_header(*source);
+    std::optional<ExrChoice> choice = choose_channels(header, name);
+    if (!is_colour)
+        choice = choose_alpha(header, *choice);
+    if (!choice)
+        return nullptr;
     try {
-        return std::make_unique<ExrReader>(std::move(source), std::move(header));
+        return std::make_unique<ExrReader>(std::move(source), std::move(header), *choice, is_colour);
     } catch (const std::bad_alloc&) {
         throw;
     } catch (const Error&) {
@@ -173,6 +176,18 @@ std::unique_ptr<RadianceReader> open_exr(std::unique_ptr<ByteSource> source)
     } catch (const std::exception& error) {
         refuse_for(error, name);
     }
+}
+
+} // namespace
+
+std::unique_ptr<RadianceReader> open_exr(std::unique_ptr<ByteSource> source)
+{
+    return open_channels(std::move(source), true);
+}
+
+std::unique_ptr<RadianceReader> open_exr_alpha(std::unique_ptr<ByteSource> source)
+{
+    return open_channels(std::move(source), false);
 }
 
 ImageInfo inspect_exr(ByteSource& source)

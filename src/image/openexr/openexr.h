@@ -22,6 +22,9 @@ namespace lambent::image {
 /// use several threads. Throws Error(bad_input).
 std::unique_ptr<RadianceReader> open_exr(std::unique_ptr<ByteSource> source);
 
+/// Reads the alpha channel of the same part and layer instead, as grey; null if there is none. Throws Error(bad_input).
+std::unique_ptr<RadianceReader> open_exr_alpha(std::unique_ptr<ByteSource> source);
+
 /// Format and size of an OpenEXR file. Throws Error(bad_input).
 ImageInfo inspect_exr(ByteSource& source);
 

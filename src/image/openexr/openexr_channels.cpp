@@ -82,4 +82,15 @@ ExrChoice choose_channels(const ExrHeader& header, const std::string& name)
     refuse_channels(header, name);
 }
 
+std::optional<ExrChoice> choose_alpha(const ExrHeader& header, const ExrChoice& colour)
+{
+    const std::string& red = colour.channels[0];
+    const std::string alpha = red.substr(0, red.rfind('.') + 1) + "A";
+    const ExrChannel* const channel =
+        find_channel(header.parts[static_cast<std::size_t>(colour.part)], alpha);
+    if (!channel || channel->x_sampling != 1 || channel->y_sampling != 1)
+        return std::nullopt;
+    return ExrChoice{colour.part, {alpha, alpha, alpha}, false};
+}
+
 } // namespace lambent::image

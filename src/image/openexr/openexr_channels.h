@@ -4,6 +4,7 @@
 #include "image/openexr/openexr_header.h"
 
 #include <array>
+#include <optional>
 #include <string>
 
 namespace lambent::image {
@@ -18,5 +19,8 @@ struct ExrChoice {
 /// The channels of the first part that has any of these: R, G, B; else those of the first layer that has all three;
 /// else Y with RY and BY; else Y. Throws Error(bad_input) if no part has any, or only in an unsupported form.
 ExrChoice choose_channels(const ExrHeader& header, const std::string& name);
+
+/// The alpha channel that belongs to these channels, in place of each; empty if there is none that can be read.
+std::optional<ExrChoice> choose_alpha(const ExrHeader& header, const ExrChoice& colour);
 
 } // namespace lambent::image
