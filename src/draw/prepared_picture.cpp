@@ -52,13 +52,13 @@ Edges edges_of(const Settings& settings)
     return edges;
 }
 
-// The number of samples of small fragments: a fifth, but no fewer than a split-sum picture has. The report's own levels
+// The number of samples of small fragments: two fifths, but no fewer than a split-sum picture has. The report's own levels
 // belong to its own number of samples.
 int few_samples(const Settings& settings)
 {
     if (settings.mip_level == MipLevel::report)
         return settings.samples;
-    return std::min(settings.samples, std::max(split_sum_samples, settings.samples / 5));
+    return std::min(settings.samples, std::max(split_sum_samples, settings.samples * 2 / 5));
 }
 
 LobePoints lobe_points(const Settings& settings)
