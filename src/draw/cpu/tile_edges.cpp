@@ -28,9 +28,9 @@ bool same_surface(const Seen& a, const Seen& b, float least_cosine)
 // A look through a position in the pixel of another look.
 Look look_in_pixel(Look look, const TileArea& area, const glm::vec2& place)
 {
-    const int pixel = static_cast<int>(look.pixel);
-    look.x = static_cast<float>(area.x + pixel % area.width) + place.x;
-    look.y = static_cast<float>(area.y + pixel / area.width) + place.y;
+    const int pixel = static_cast<int>(look.pixel), column = pixel % area.width, row = pixel / area.width;
+    look.x = static_cast<float>(area.x + column) + place.x;
+    look.y = static_cast<float>(area.y + row) + place.y;
     look.near = 0.0f;
     return look;
 }
