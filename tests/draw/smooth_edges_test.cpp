@@ -40,8 +40,9 @@ Truth truth_at(int column, int row)
     constexpr int fine = 48;
     Truth sum;
     for (int i = 0; i < fine * fine; ++i) {
-        const double x = (column + (i % fine + 0.5) / fine - 0.5 * side) * step / radius,
-                     y = (0.5 * side - row - (i / fine + 0.5) / fine) * step / radius;
+        const int across = i % fine, down = i / fine;
+        const double x = (column + (across + 0.5) / fine - 0.5 * side) * step / radius,
+                     y = (0.5 * side - row - (down + 0.5) / fine) * step / radius;
         if (x * x + y * y >= 1.0)
             continue;
         const dvec3 normal(x, y, std::sqrt(1.0 - x * x - y * y));
