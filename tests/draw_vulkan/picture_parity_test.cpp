@@ -136,7 +136,7 @@ protected:
         ASSERT_EQ(apart.layers.size(), wanted.layers.size());
         for (std::size_t i = 0; i < apart.layers.size(); ++i) {
             EXPECT_EQ(apart.layers[i].name, wanted.layers[i].name);
-            EXPECT_LE(relative_rmse(apart.layers[i].image, wanted.layers[i].image, edges), 2e-2)
+            EXPECT_LE(relative_rmse(apart.layers[i].image, wanted.layers[i].image, edges), 1e-2)
                 << name << " " << apart.layers[i].name;
         }
     }
@@ -194,6 +194,7 @@ TEST_F(PictureParity, OneRoughnessForAllSurfaces)
     expect_parity(scene, settings, "one roughness");
     settings = settings_for(scene::make_builtin("grid"), Model::ggx);
     settings.roughness_override = 0.0f;
+    settings.edge_samples = 1; // of mirrors every look at an edge counts by itself, and a raster may miss one
     expect_parity(scene::make_builtin("grid"), settings, "no roughness");
 }
 
