@@ -15,6 +15,7 @@ function missing(what) {
     process.exit(isRequired ? 1 : 77);
 }
 
+// A browser that can be killed when it no longer answers: { browser, kill() }.
 async function startBrowser() {
     let playwright;
     try {
@@ -28,7 +29,39 @@ async function startBrowser() {
     if (!executablePath) missing('no Chromium (Debian package chromium)');
     // Chromium's sandbox does not start for root.
     const args = process.getuid() === 0 ? ['--no-sandbox'] : [];
-    return playwright.chromium.launch({ executablePath, args });
+    const server = await playwright.chromium.launchServer({ executablePath, args });
+    return { browser: await playwright.chromium.connect(server.wsEndpoint()), kill: () => server.kill() };
+}
+
+// The most that a check takes before its browser counts as hung. All checks together take about a minute.
+const patience = 150e3;
+
+// Whether the check ended in time. Throws what it throws.
+async function endsInTime(check) {
+    let timer;
+    const late = new Promise(resolve => { timer = setTimeout(resolve, patience, false); });
+    try {
+        return await Promise.race([check.then(() => true), late]);
+    } finally {
+        clearTimeout(timer);
+    }
+}
+
+// Runs a check in a browser of its own. Chromium has been seen to stop for good: the check is then
+// run once more, in a new one.
+async function run(name, check, address, subject) {
+    for (const attempt of [1, 2]) {
+        const { browser, kill } = await startBrowser();
+        const running = check({ ...subject, open: opener(browser, address) });
+        running.catch(() => {}); // of a killed browser
+        try {
+            if (await endsInTime(running)) return;
+        } finally {
+            await kill();
+        }
+        console.log(`hung, attempt ${attempt}: ${name}`);
+    }
+    throw new Error(`${name}: the browser hung twice`);
 }
 
 // What must never happen on a page, as it happens.
@@ -73,13 +106,12 @@ function picturesOf(report) {
 if (Number(process.versions.node.split('.')[0]) < 18) missing('no Node.js 18 or later');
 const folder = resolve(process.argv[2]);
 const report = JSON.parse(readFileSync(join(folder, 'report.json')));
-const browser = await startBrowser();
-const open = opener(browser, pathToFileURL(join(folder, 'index.html')).href);
-const subject = { folder, report, pictures: picturesOf(report), open };
+const address = pathToFileURL(join(folder, 'index.html')).href;
+const subject = { folder, report, pictures: picturesOf(report) };
 try {
     for (const [name, check] of Object.entries({ ...pageChecks, ...useChecks })) {
         try {
-            await check(subject);
+            await run(name, check, address, subject);
         } catch (error) {
             console.log(`FAILED ${name}`);
             throw error;
@@ -89,6 +121,5 @@ try {
 } catch (error) {
     console.error(error);
     process.exitCode = 1;
-} finally {
-    await browser.close();
 }
+process.exit(); // whatever a killed browser left waiting
