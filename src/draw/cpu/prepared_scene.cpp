@@ -29,6 +29,8 @@ int TexcoordChoice::add(const scene::Mesh& mesh, const scene::TextureUse& use)
 PreparedScene::PreparedScene(const scene::Scene& scene, const scene::Scene& posed, TexelTransfer transfer)
     : textures_(scene, transfer)
 {
+    for (std::size_t i = 0; i < scene.materials.size(); ++i)
+        alphas_.emplace_back(scene.materials[i], textures_.of(i));
     pose(posed);
 }
 
@@ -37,10 +39,7 @@ void PreparedScene::pose(const scene::Scene& posed)
     visibility_.reset(); // frees its memory before the next is made
     visibility_.emplace(posed);
     surfaces_.clear();
-    alphas_.clear();
-    std::vector<TypicalAlpha> alphas;
-    for (std::size_t i = 0; i < posed.materials.size(); ++i)
-        alphas.emplace_back(posed.materials[i], textures_.of(i));
+    material_of_.clear();
     for (const scene::Instance& instance : posed.instances) {
         const scene::Mesh& mesh = posed.meshes[static_cast<std::size_t>(instance.mesh)];
         const std::size_t material = scene::material_of(posed, instance);
@@ -59,7 +58,7 @@ void PreparedScene::pose(const scene::Scene& posed)
                          });
         context.normal_scales = normal_scales_of(*context.material);
         surfaces_.push_back(context);
-        alphas_.push_back(alphas[material]);
+        material_of_.push_back(material);
     }
 }
 

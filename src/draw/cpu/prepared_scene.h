@@ -29,7 +29,10 @@ public:
     const SurfaceContext& surface(std::uint32_t instance) const { return surfaces_[instance]; }
 
     /// How smooth an instance's surfaces are.
-    const TypicalAlpha& typical_alpha(std::uint32_t instance) const { return alphas_[instance]; }
+    const TypicalAlpha& typical_alpha(std::uint32_t instance) const
+    {
+        return alphas_[material_of_[instance]];
+    }
 
     std::size_t instance_count() const { return surfaces_.size(); }
 
@@ -40,7 +43,8 @@ private:
     SceneTextures textures_;
     std::optional<Visibility> visibility_;
     std::vector<SurfaceContext> surfaces_;
-    std::vector<TypicalAlpha> alphas_; ///< by instance
+    std::vector<TypicalAlpha> alphas_;     ///< by material
+    std::vector<std::size_t> material_of_; ///< by instance
 };
 
 } // namespace lambent::draw
