@@ -59,7 +59,7 @@ struct Filtered {
 
 /// Filters both classes. Finite input gives finite output, the same bytes with any number of threads, though not with
 /// other instruction sets. Throws Error(usage) for planes that are not of width x height pixels.
-/// Needs about 9 MB for each thread besides its result.
+/// Needs about 12 MB for each thread besides its result.
 Filtered filter_light(const Picture& picture, const Settings& settings);
 
 } // namespace lambent::denoise

@@ -19,7 +19,10 @@ void prepare_guides(const Guides& guides, int width, const RowSpan& span, float*
 /// neighbours, so that the surface behind a silhouette has no part in it; at most a tenth of the depth per pixel.
 void prepare_slopes(const float* above, float* row, const float* below, const RowSpan& span);
 
-/// What is known (GivenPlane), and the sums of the unfiltered light (SumPlane).
-void prepare_light(const LightJob& job, const RowSpan& span, float* given, float* sums);
+/// What is known (GivenPlane), and the sums of the unfiltered light (SumPlane), at column 0 of the first plane of each.
+struct PreparedLight {
+    float *given, *sums;
+};
+void prepare_light(const LightJob& job, const RowSpan& span, PreparedLight to);
 
 } // namespace lambent::denoise

@@ -1,6 +1,8 @@
 // Rows of planes that the filter's stages pass on: what they hold, and how the kernels get them.
 #pragma once
 
+#include <tbb/cache_aligned_allocator.h>
+
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -81,7 +83,8 @@ private:
 
     int rows_, planes_;
     std::ptrdiff_t pitch_;
-    std::vector<float> values_;
+    std::vector<float, tbb::cache_aligned_allocator<float>>
+        values_; // vectors that lie across lines load slowly
 };
 
 /// One row of an a-trous level: 5x5 binomial weights times those of the guides, in which `lobe` takes the power from the

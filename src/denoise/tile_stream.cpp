@@ -134,7 +134,7 @@ void TileStream::prepare(int y)
         return;
     }
     prepare_guides(job_.picture.guides, job_.picture.width, span(y), guides_.row(y));
-    prepare_light(job_, span(y), given_.row(y), sums_[0].row(y));
+    prepare_light(job_, span(y), {given_.row(y), sums_[0].row(y)});
 }
 
 void TileStream::find_slopes(int y)

@@ -51,8 +51,9 @@ public:
         const double tolerance = 0.002 * (depth(a) + depth(b)) + 0.5 * std::abs(slope);
         const double material = std::abs(std::sqrt(alpha) - std::sqrt(double(g_.alpha[j]))) +
                                 std::abs(double(g_.metalness[i]) - double(g_.metalness[j]));
-        const double like = std::exp(-power * (1.0 - cosine) - away / tolerance - material / 0.03);
-        return like > std::exp2(-20.0) ? like : 0.0;
+        const double halvings = (power * (1.0 - cosine) + away / tolerance + material / 0.03) / std::log(2.0);
+        const double whole = std::floor(halvings);
+        return halvings < 20.0 ? std::exp2(-whole) * (1.0 - 0.5 * (halvings - whole)) : 0.0;
     }
 
     // visit(neighbour, weight) for the covered ones of n x n.
