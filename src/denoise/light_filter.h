@@ -43,9 +43,10 @@ struct Picture {
 };
 
 struct Settings {
-    float cut = 1.0f; ///< radiance that is shown as white, above 0: errors above it count as at it
-    float ratio_limit =
-        2.0f; ///< most that true light exceeds unshadowed light by where it is found as a ratio, >= 1
+    /// Radiance that is shown as white, above 0: where exact light is above it, errors count less by their quotient.
+    float cut = 1.0f;
+    /// Most that true light may be times unshadowed light where it is found as a ratio, at least 1.
+    float ratio_limit = 2.0f;
 };
 
 struct FilteredLight {
