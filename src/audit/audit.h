@@ -20,7 +20,8 @@ struct Settings {
     double cut = std::numeric_limits<double>::infinity();
     int pixels = 512;  ///< pixels that are audited, at least `least_pixels`
     int samples = 128; ///< paths of each of the two estimates of an audited pixel, on average, at least 16
-    /// Pixels from which each audited one is chosen, by a glance of `glance_samples` paths at each. 1: chosen blindly.
+    /// Pixels from which each audited one is chosen, by a glance of `glance_samples` paths, at least 2, at each. 1: none
+    /// is passed over.
     int candidates = 16;
     int glance_samples = 8;
     std::uint32_t seed = 0; ///< audits of different seeds are independent
@@ -39,16 +40,17 @@ using PixelLight = std::function<reference::PixelEstimate(const reference::Pixel
 /// black. The same for any number of threads.
 ///
 /// Each audited pixel p is traced twice, with independent noise: the mean of (p - a)(p - b) is the mean square error
-/// without bias from noise, whatever is wrong with the picture. What is wrong is often in few pixels: in `report`, half a
-/// percent of them hold nearly all of the squared error. So a pixel is chosen out of several at random in proportion to
-/// its error at a glance, and weighted so that the mean stays unbiased. [resampled importance sampling: Talbot, Cline and
-/// Egbert 2005] All candidates' mean error at a glance is added to each of theirs, so that
-/// what is not seen at a glance counts too. The noise at the glance decides how many samples the pixel gets, so that the
-/// few noisiest pixels are not all of the audit's own error.
+/// without bias from noise, whatever is wrong with the picture. What is wrong is often in few pixels: in `report`, one
+/// percent of them holds nearly all of the squared error. So candidates are drawn half evenly, half by their contrast, and
+/// one out of several is chosen at random in proportion to its error at a glance, weighted so that the mean stays
+/// unbiased. [resampled importance sampling: Talbot, Cline and Egbert 2005] All candidates' mean error at a glance is
+/// added to each of theirs, so that what is not seen at a glance counts too. The noise at the glance decides how many
+/// samples the pixel gets, so that the few noisiest pixels are not all of the audit's own error.
 ///
 /// The cut is applied to a and b, which are means of noisy samples: that of a mean near the cut is too low on average, by
 /// up to 0.4 of its standard deviation. The jackknife over the halves of its samples takes away at least 0.4 of that
-/// bias. [Quenouille 1956] What is left changes the error by less than 2 % of itself (docs/AUDIT.md).
+/// bias. [Quenouille 1956] What is left changes errors above 3 % by less than 2 % of themselves
+/// (docs/AUDIT.md).
 std::optional<Error> measure(const image::RadianceImage& picture, const Settings& settings,
                              const PixelLight& light);
 
