@@ -32,6 +32,8 @@ constexpr int split_sum_samples = 8;
 
 /// All inputs of a drawing except the scene and the environment.
 struct Settings : view::Picture {
+    int bounces =
+        0; ///< of light: 0: direct light without shadows; 1: with shadows; more: from surface to surface
     int samples = 40; ///< of the specular lobe, 1 to 65536
     MipLevel mip_level = MipLevel::matched;
     float ambient_brightness = 1.0f; ///< factor on the diffuse light of the environment; 2 in the report

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "image/image.h"
-#include "reference/estimate.h"
+#include "reference/samples/estimate.h"
 #include "reference/path.h"
 
 #include <cstddef>

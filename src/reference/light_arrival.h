@@ -1,7 +1,7 @@
 // Light of sources without size as it arrives at a point, and blurred backgrounds.
 #pragma once
 
-#include "reference/sampler.h"
+#include "reference/samples/sampler.h"
 #include "scene/scene.h"
 
 #include <glm/ext/vector_double3.hpp>

@@ -4,7 +4,7 @@
 #include "reference/emitters.h"
 #include "reference/environment_light.h"
 #include "reference/lens.h"
-#include "reference/sampler.h"
+#include "reference/samples/sampler.h"
 #include "reference/surface.h"
 #include "trace/visibility.h"
 #include "view/picture.h"

@@ -1,9 +1,8 @@
 #include "reference/tracer.h"
 
-#include "reference/budget.h"
+#include "reference/samples/budget.h"
 #include "reference/film.h"
-#include "trace/visibility.h"
-#include "view/widened_scene.h"
+#include "reference/traced_scene.h"
 
 #include <tbb/parallel_for.h>
 
@@ -26,9 +25,7 @@ constexpr double growth = 1.5;
 class Tracer {
 public:
     Tracer(const World& world, const Settings& settings)
-        : world_(world), settings_(settings),
-          lens_(settings.panorama_from ? Lens(*settings.panorama_from, settings.width, settings.height)
-                                       : Lens(settings.camera, settings.width, settings.height)),
+        : world_(world), settings_(settings), lens_(lens_of(settings)),
           film_(settings.width, settings.height, settings.cut, world.has_unlit),
           order_(scattered_tiles(film_.columns(), film_.rows()))
     {
@@ -73,17 +70,10 @@ void Tracer::sample_tile(int tile, int count)
     const Film::Area a = film_.area(tile);
     for (int y = a.y; y < a.y + a.height; ++y)
         for (int x = a.x; x < a.x + a.width; ++x) {
-            const std::uint32_t pixel =
-                mixed(mixed(static_cast<std::uint32_t>(x), settings_.seed), static_cast<std::uint32_t>(y));
             for (int i = film_.samples(tile); i < count; ++i) {
-                SampleSequence sampler(mixed(pixel, static_cast<std::uint32_t>(i % replicates)),
-                                       static_cast<std::uint32_t>(i / replicates));
-                const std::array<double, 4> place = sampler.next4();
-                Sight sight = trace_path(world_, lens_.through(x + place[0], y + place[1]), sampler);
-                if (!std::isfinite(sight.radiance.x + sight.radiance.y + sight.radiance.z)) {
-                    sight.radiance = glm::dvec3(0.0);
+                Sight sight = sample_pixel(world_, lens_, {x, y, settings_.seed}, i);
+                if (!mend(sight))
                     ++broken_;
-                }
                 film_.add(x, y, i, sight);
             }
         }
@@ -192,55 +182,18 @@ bool Tracer::advance(const GoOn& go_on, Least least)
     return reached_limit() && is_enough();
 }
 
-// The picture's points and lines as triangles. Panoramas show none, because their pixels differ in width.
-std::optional<view::WidenedScene> lines_of(const scene::Scene& scene, const Settings& settings)
-{
-    if (!scene::has_lines(scene) || settings.panorama_from)
-        return std::nullopt;
-    view::WidenedScene lines(scene, view::WidenedScene::Others::left_out);
-    lines.face(settings);
-    return lines;
-}
-
 } // namespace
 
 // All data that the tracer refers to, and the tracer.
 struct Tracing::Parts {
     Parts(const scene::Scene& scene, const image::RadianceImage* panorama, const Settings& asked)
-        : settings(asked), visibility(scene), lines(lines_of(scene, asked)),
-          surfaces(scene, asked.model, asked.texel_transfer, asked.roughness_override,
-                   lines ? &lines->scene() : nullptr),
-          emitters(scene)
+        : settings(asked), traced(scene, panorama, settings), tracer(traced.world(), settings)
     {
-        if (lines)
-            world.lines = &seen_lines.emplace(lines->scene());
-        if (panorama)
-            environment.emplace(*panorama, settings.environment_rotation);
-        world.visibility = &visibility;
-        world.surfaces = &surfaces;
-        world.environment = environment ? &*environment : nullptr;
-        world.emitters = emitters.empty() ? nullptr : &emitters;
-        world.lights = scene.lights;
-        world.lights.insert(world.lights.end(), settings.lights.begin(), settings.lights.end());
-        for (const scene::Material& material : scene.materials)
-            world.has_unlit = world.has_unlit || material.unlit;
-        world.model = settings.model;
-        world.energy_compensation = settings.energy_compensation;
-        world.background = settings.background;
-        world.bounces = settings.bounces;
-        world.strategy = settings.strategy;
-        tracer.emplace(world, settings);
     }
 
     const Settings settings;
-    const lambent::trace::Visibility visibility;
-    const std::optional<view::WidenedScene> lines;
-    std::optional<lambent::trace::Visibility> seen_lines;
-    const Surfaces surfaces;
-    std::optional<EnvironmentLight> environment;
-    const Emitters emitters;
-    World world;
-    std::optional<Tracer> tracer;
+    const TracedScene traced;
+    Tracer tracer;
 };
 
 Tracing::Tracing(const scene::Scene& scene, const image::RadianceImage* panorama, const Settings& settings)
@@ -252,17 +205,17 @@ Tracing::~Tracing() = default;
 
 bool Tracing::advance(const GoOn& go_on, Least least)
 {
-    return parts_->tracer->advance(go_on, least);
+    return parts_->tracer.advance(go_on, least);
 }
 
 bool Tracing::has_picture() const
 {
-    return parts_->tracer->has(Least::one_sample);
+    return parts_->tracer.has(Least::one_sample);
 }
 
 Result Tracing::result() const
 {
-    return parts_->tracer->result();
+    return parts_->tracer.result();
 }
 
 Result trace(const scene::Scene& scene, const image::RadianceImage* panorama, const Settings& settings,

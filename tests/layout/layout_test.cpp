@@ -34,13 +34,14 @@ const std::map<std::string, std::set<std::string>> allowed = {
      {"base", "image", "scene", "view", "trace", "environment", "denoise", "equations", "shading", "wide",
       "vulkan", "gpu_layout", "albedo"}},
     {"reference", {"base", "image", "scene", "view", "trace", "equations", "shading", "albedo"}},
+    {"audit", {"base", "image", "scene", "view", "reference"}},
     {"display", {"image", "equations", "wide"}},
     {"compare", {"base", "image", "equations"}},
     {"api", {"base", "image", "environment", "lambent"}}, // lambent/bake.h
     // Each program is a room of its own.
     {"apps/options", {"base", "image", "scene", "environment", "draw", "display"}},
     {"apps/common",
-     {"apps/options", "base", "wide", "image", "scene", "view", "environment", "denoise", "draw", "reference",
+     {"apps/options", "base", "wide", "image", "scene", "view", "environment", "denoise", "draw", "reference", "audit",
       "display", "compare"}},
     {"apps/viewer",
      {"apps/options", "apps/common", "base", "equations", "image", "scene", "environment", "draw",
@@ -50,7 +51,7 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"apps/report", {"apps/options", "apps/common", "base", "image", "view", "draw", "reference", "compare"}},
     {"apps/cli",
      {"apps/options", "apps/common", "apps/report", "apps/serve", "base", "image", "scene", "environment",
-      "compare"}},
+      "compare", "audit"}},
 };
 
 // Files that a folder may hold before it should have rooms.

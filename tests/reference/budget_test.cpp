@@ -1,5 +1,5 @@
 // How samples are shared, against trying everything.
-#include "reference/budget.h"
+#include "reference/samples/budget.h"
 
 #include <gtest/gtest.h>
 

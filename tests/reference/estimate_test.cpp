@@ -1,5 +1,5 @@
 // What replicates tell of a value, over everything that can happen to it.
-#include "reference/estimate.h"
+#include "reference/samples/estimate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Points that are spread evenly: the properties that define them, counted.
-#include "reference/sampler.h"
+#include "reference/samples/sampler.h"
 #include "tests/support/chi_square.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "kitchen/first_hits.h"
 
 #include "reference/lens.h"
-#include "reference/sampler.h"
+#include "reference/samples/sampler.h"
 #include "reference/surface.h"
 #include "trace/visibility.h"
 

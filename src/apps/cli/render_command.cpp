@@ -3,6 +3,7 @@
 #include "apps/common/layer_files.h"
 #include "apps/common/load_environment.h"
 #include "apps/common/make_renderer.h"
+#include "apps/common/picture_audit.h"
 #include "apps/common/picture_file.h"
 #include "apps/common/picture_setup.h"
 #include "apps/common/stats.h"
@@ -43,7 +44,25 @@ void check_layer_files(const std::vector<draw::Layer>& layers, const RenderArgum
     }
 }
 
-void write(const RenderArguments& arguments, const draw::Frame& frame, const InputFiles& inputs)
+// A picture is worth having where its error cannot be measured.
+std::optional<audit::Error> measured(const RenderArguments& arguments, const scene::Scene& scene,
+                                     const image::RadianceImage& picture, Console& console)
+{
+    std::optional<audit::Error> error;
+    try {
+        error = measured_error(arguments, scene, picture);
+    } catch (const Error& failure) {
+        if (failure.failure() != Failure::no_device)
+            throw;
+        console.warn({text("the picture's error is not measured: ", failure.what())});
+    }
+    if (error)
+        console.remark(in_words(*error));
+    return error;
+}
+
+void write(const RenderArguments& arguments, const draw::Frame& frame, const InputFiles& inputs,
+           const image::Notes& notes)
 {
     using Kind = draw::Background::Kind;
     const bool transparent = arguments.settings.background.kind == Kind::none;
@@ -52,7 +71,7 @@ void write(const RenderArguments& arguments, const draw::Frame& frame, const Inp
         check_layer_files(frame.layers, arguments, inputs);
         write_layers(frame.layers, arguments.layers, arguments.display);
     }
-    write_picture(frame.radiance, arguments.display, transparent, arguments.output);
+    write_picture(frame.radiance, arguments.display, transparent, arguments.output, notes);
 }
 
 } // namespace
@@ -88,11 +107,18 @@ void run(const RenderArguments& arguments)
                                              [&](float done) { console.progress(done); });
     console.end_progress();
     watch.lap("draw");
-    write(arguments, frame, inputs);
+    std::optional<audit::Error> error;
+    if (is_audited(arguments)) {
+        error = measured(arguments, scene, frame.radiance, console);
+        watch.lap("audit");
+    }
+    write(arguments, frame, inputs, error ? notes_of(*error) : image::Notes());
     watch.lap("write");
     console.remark(text("wrote ", arguments.output));
     if (arguments.common.stats_json) {
         nlohmann::ordered_json stats = describe(arguments, scene, *renderer);
+        if (is_audited(arguments))
+            stats["error"] = error ? to_json(*error) : nlohmann::ordered_json(nullptr);
         stats["environment_cached"] = loaded.cached;
         for (const auto& [pass, milliseconds] : frame.passes)
             stats["device_ms"][pass] = milliseconds;

@@ -45,14 +45,14 @@ void check_picture_file(const std::filesystem::path& path)
 }
 
 void write_picture(const image::RadianceImage& picture, const display::Settings& display, bool transparent,
-                   const std::filesystem::path& path)
+                   const std::filesystem::path& path, const image::Notes& notes)
 {
     const image::FileKind kind = image::file_kind(path);
     if (kind == image::FileKind::exr || kind == image::FileKind::hdr)
-        image::write_radiance(picture, path);
+        image::write_radiance(picture, path, notes);
     else
-        image::write_codes(picture_codes(picture, display, transparent && kind == image::FileKind::png),
-                           path);
+        image::write_codes(picture_codes(picture, display, transparent && kind == image::FileKind::png), path,
+                           notes);
 }
 
 image::CodeImage picture_codes(const image::RadianceImage& picture, const display::Settings& display,

@@ -3,6 +3,7 @@
 
 #include "display/display.h"
 #include "image/image.h"
+#include "image/notes.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -16,8 +17,9 @@ void check_picture_file(const std::filesystem::path& path);
 
 /// .exr and .hdr: linear light as it is. .png and .jpg: as displayed; with `transparent`, a PNG gets the picture's
 /// coverage as alpha, and colours that are not multiplied by it.
+/// The file carries the notes.
 void write_picture(const image::RadianceImage& picture, const display::Settings& display, bool transparent,
-                   const std::filesystem::path& path);
+                   const std::filesystem::path& path, const image::Notes& notes = {});
 
 /// A picture as displayed; `transparent` as above: RGBA codes.
 image::CodeImage picture_codes(const image::RadianceImage& picture, const display::Settings& display,

@@ -43,7 +43,9 @@ struct RenderArguments {
     draw::Settings settings;
     bool split_sum = false;        ///< specular light by draw::split_sum_samples, not the settings' samples
     bool report_pipeline = false;  ///< draw as draw::ReportPipeline
-    int bounces = 8;               ///< of light, in path tracing
+    int bounces = 8;               ///< of light, in path tracing; of the drawing: settings.bounces
+    bool audit = true;             ///< measure the picture's error if it is drawn with bounces
+    bool audit_always = false;     ///< measure it without bounces too
     std::string shown = "picture"; ///< in viewers: the picture, the reference, the error or a layer
     std::optional<view::Orbit> orbit; ///< unset: the default view, or camera_node
     std::optional<glm::dvec3>
@@ -57,6 +59,9 @@ struct RenderArguments {
     display::Settings display;
     scene::BuiltinOptions builtin;
 };
+
+/// Whether the error of the picture is measured.
+bool is_audited(const RenderArguments& arguments);
 
 /// The picture of RenderArguments, path-traced. Options that choose an approximation have no effect.
 struct ReferenceArguments {

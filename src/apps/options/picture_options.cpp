@@ -195,6 +195,20 @@ Group<A> render_group()
              .says("Also write each layer of the G-buffer and of the light",
                    "also write each layer of the G-buffer and of the light, as `.exr` with its values and "
                    "as `.png` to look at ([list](#layers))"),
+         R("bounces", "N", whole(0, 1024), "0")
+             .at([](auto& a) -> auto& { return a.settings.bounces; })
+             .says("Bounces of light; 0: direct light without shadows, 1: with shadows",
+                   "bounces of light, as in `reference`. 0: direct light without shadows; 1: with shadows; "
+                   "more: "
+                   "from surface to surface"),
+         R("no-audit")
+             .at([](auto& a) -> auto& { return a.audit; })
+             .says("Do not measure the picture's error", "do not measure the picture's error. A picture with "
+                                                         "`--bounces` above 0 is measured [against "
+                                                         "its reference](AUDIT.md)"),
+         R("audit")
+             .at([](auto& a) -> auto& { return a.audit_always; })
+             .says("Measure the picture's error also with --bounces 0"),
          R("pipeline", "ORDER", one_of("light report"), "light")
              .at([](auto& a) -> auto& { return a.report_pipeline; })
              .says("light: sum the light, then display it; report: as in the 2014 report",

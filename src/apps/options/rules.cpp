@@ -34,6 +34,7 @@ void settle_pipeline(RenderArguments& arguments, const Given& given)
               "--pipeline report: not with --mip-level matched: it uses the report's own levels");
     refuse_if(display.tone != display::Tone::reinhard,
               "--pipeline report: not with --tone: it uses the report's own tone curve");
+    refuse_if(given("audit"), "--pipeline report: not with --audit: no reference draws as it does");
     settings.pipeline = draw::ReportPipeline{display.exposure, display.contrast, display.encode};
     settings.mip_level = draw::MipLevel::report;
     settings.texel_transfer = draw::TexelTransfer::none; // the pipeline decodes texels itself
@@ -46,6 +47,13 @@ void settle_pipeline(RenderArguments& arguments, const Given& given)
 }
 
 } // namespace
+
+// The report's pipeline draws codes, which are not the light of any reference.
+bool is_audited(const RenderArguments& arguments)
+{
+    return !arguments.settings.pipeline &&
+           (arguments.audit_always || (arguments.audit && arguments.settings.bounces > 0));
+}
 
 void derive(RenderArguments& arguments)
 {
@@ -68,6 +76,7 @@ void settle(CommonOptions&, const Given& given)
 void settle(RenderArguments& arguments, const Given& given)
 {
     check_view(arguments, given);
+    refuse_if(given("audit") && given("no-audit"), "--audit and --no-audit exclude each other");
     derive(arguments);
     if (arguments.report_pipeline)
         settle_pipeline(arguments, given);

@@ -126,6 +126,25 @@ const char* process_name(int process)
     }
 }
 
+// COM segments go between the JFIF header, which must come first, and everything else: JFIF 1.02, page 5.
+std::vector<std::uint8_t> with_comments(std::span<const std::uint8_t> jpeg, const Notes& notes)
+{
+    constexpr std::size_t most = 65533;
+    const std::size_t header = jpeg.size() > 6 && jpeg[2] == 0xff && jpeg[3] == 0xe0
+                                   ? std::size_t{4} + (std::size_t{jpeg[4]} << 8 | jpeg[5])
+                                   : 2;
+    std::vector<std::uint8_t> bytes(jpeg.begin(), jpeg.begin() + static_cast<std::ptrdiff_t>(header));
+    for (const Note& note : notes) {
+        const std::string comment = text(note.key, ": ", note.value).substr(0, most);
+        const std::size_t length = comment.size() + 2;
+        for (const std::size_t byte : {std::size_t{0xff}, std::size_t{0xfe}, length >> 8, length & 255u})
+            bytes.push_back(static_cast<std::uint8_t>(byte));
+        bytes.insert(bytes.end(), comment.begin(), comment.end());
+    }
+    bytes.insert(bytes.end(), jpeg.begin() + static_cast<std::ptrdiff_t>(header), jpeg.end());
+    return bytes;
+}
+
 } // namespace
 
 bool is_jpeg(std::span<const std::uint8_t> bytes)
@@ -161,7 +180,7 @@ ImageInfo inspect_jpeg(std::span<const std::uint8_t> bytes, const std::string& n
             frame.width, frame.height};
 }
 
-std::vector<std::uint8_t> encode_jpeg(const CodeImage& image, const JpegEffort& effort)
+std::vector<std::uint8_t> encode_jpeg(const CodeImage& image, const JpegEffort& effort, const Notes& notes)
 {
     const Handle handle = owned(tjInitCompress());
     unsigned char* buffer = nullptr;
@@ -173,7 +192,7 @@ std::vector<std::uint8_t> encode_jpeg(const CodeImage& image, const JpegEffort& 
     const std::unique_ptr<unsigned char, decltype(&tjFree)> owner(buffer, &tjFree);
     if (status != 0)
         throw std::bad_alloc();
-    return {buffer, buffer + length};
+    return with_comments({buffer, length}, notes);
 }
 
 } // namespace lambent::image

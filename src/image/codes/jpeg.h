@@ -2,6 +2,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "image/notes.h"
 #include "image/reader.h"
 
 #include <cstdint>
@@ -37,7 +38,9 @@ struct JpegEffort {
     bool halved = false; ///< 4:2:0 chroma subsampling and a faster DCT
 };
 
-/// Encodes a valid 8-bit image; alpha is dropped. Throws std::bad_alloc only.
-std::vector<std::uint8_t> encode_jpeg(const CodeImage& image, const JpegEffort& effort = {});
+/// Encodes a valid 8-bit image; alpha is dropped. Each note becomes a comment, "key: value", cut off after 65533
+/// characters. Throws std::bad_alloc only.
+std::vector<std::uint8_t> encode_jpeg(const CodeImage& image, const JpegEffort& effort = {},
+                                      const Notes& notes = {});
 
 } // namespace lambent::image

@@ -154,6 +154,21 @@ CodeImage decode(const Source& source, const std::string& name)
     return image;
 }
 
+// They point into the notes.
+std::vector<spng_text> texts_of(const Notes& notes)
+{
+    std::vector<spng_text> texts;
+    for (const Note& note : notes) {
+        spng_text text{};
+        note.key.copy(text.keyword, sizeof text.keyword - 1);
+        text.type = SPNG_TEXT;
+        text.length = note.value.size();
+        text.text = const_cast<char*>(note.value.c_str()); // only read by an encoder
+        texts.push_back(text);
+    }
+    return texts;
+}
+
 } // namespace
 
 bool is_png(std::span<const std::uint8_t> bytes)
@@ -189,7 +204,7 @@ ImageInfo inspect_png(std::span<const std::uint8_t> bytes, const std::string& na
     return {"PNG", describe(header), static_cast<int>(header.width), static_cast<int>(header.height)};
 }
 
-std::vector<std::uint8_t> encode_png(const CodeImage& image, const PngEffort& effort)
+std::vector<std::uint8_t> encode_png(const CodeImage& image, const PngEffort& effort, const Notes& notes)
 {
     const Context png(SPNG_CTX_ENCODER);
     spng_ihdr header{};
@@ -202,6 +217,9 @@ std::vector<std::uint8_t> encode_png(const CodeImage& image, const PngEffort& ef
     spng_set_option(png.spng, SPNG_IMG_COMPRESSION_STRATEGY, effort.strategy);
     spng_set_option(png.spng, SPNG_FILTER_CHOICE, effort.filters);
     spng_set_ihdr(png.spng, &header);
+    std::vector<spng_text> texts = texts_of(notes); // read while the image is encoded
+    if (!texts.empty())
+        spng_set_text(png.spng, texts.data(), static_cast<std::uint32_t>(texts.size()));
     std::size_t length = 0;
     int status = spng_encode_image(png.spng, image.bytes.data(), image.bytes.size(), SPNG_FMT_PNG,
                                    SPNG_ENCODE_FINALIZE);

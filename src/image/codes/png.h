@@ -2,6 +2,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "image/notes.h"
 #include "image/reader.h"
 
 #include <cstdint>
@@ -35,7 +36,8 @@ struct PngEffort {
     int filters = 16; ///< set of spng_filter_choice: 8 none, 16 left, 32 above, 64 average, 128 Paeth
 };
 
-/// Encodes a valid image (8 or 16 bits, 3 or 4 channels). Throws std::bad_alloc only.
-std::vector<std::uint8_t> encode_png(const CodeImage& image, const PngEffort& effort = {});
+/// Encodes a valid image (8 or 16 bits, 3 or 4 channels); each note becomes a tEXt chunk. Throws std::bad_alloc only.
+std::vector<std::uint8_t> encode_png(const CodeImage& image, const PngEffort& effort = {},
+                                     const Notes& notes = {});
 
 } // namespace lambent::image

@@ -148,17 +148,17 @@ ImageInfo inspect(const std::filesystem::path& path, Warnings* warnings)
     refuse(source->name(), "is not an image in a supported format");
 }
 
-void write_radiance(const RadianceImage& image, const std::filesystem::path& path)
+void write_radiance(const RadianceImage& image, const std::filesystem::path& path, const Notes& notes)
 {
     check_writable(image, image.values.size(), path);
     const FileKind kind = file_kind(path);
     if (kind != FileKind::exr && kind != FileKind::hdr)
         throw Error(Failure::usage, text(path.string(), ": radiance is written as .exr or .hdr"));
     check_can_write(path);
-    write_file(path, kind == FileKind::exr ? encode_exr(image) : encode_radiance_hdr(image));
+    write_file(path, kind == FileKind::exr ? encode_exr(image, notes) : encode_radiance_hdr(image, notes));
 }
 
-void write_codes(const CodeImage& image, const std::filesystem::path& path)
+void write_codes(const CodeImage& image, const std::filesystem::path& path, const Notes& notes)
 {
     if (image.bits != 8 && image.bits != 16)
         throw Error(Failure::usage, text(path.string(), ": cannot write ", image.bits, "-bit codes"));
@@ -172,7 +172,7 @@ void write_codes(const CodeImage& image, const std::filesystem::path& path)
         throw Error(Failure::usage,
                     text(path.string(), ": a JPEG is at most ", max_jpeg_side, " pixels a side"));
     check_can_write(path);
-    write_file(path, kind == FileKind::png ? encode_png(image) : encode_jpeg(image));
+    write_file(path, kind == FileKind::png ? encode_png(image, {}, notes) : encode_jpeg(image, {}, notes));
 }
 
 } // namespace lambent::image

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "image/image.h"
+#include "image/notes.h"
 #include "image/reader.h"
 
 #include <cstdint>
@@ -48,11 +49,11 @@ FileKind file_kind(const std::filesystem::path& path);
 
 /// Writes radiance as .exr (RGB or RGBA, 32-bit float, ZIP) or .hdr (planes with run-length encoding; coverage is
 /// dropped, negative values become 0). Throws Error(cannot_write), or Error(usage) for another extension.
-void write_radiance(const RadianceImage& image, const std::filesystem::path& path);
+void write_radiance(const RadianceImage& image, const std::filesystem::path& path, const Notes& notes = {});
 
 /// Writes codes as .png (8 or 16 bit) or .jpg (8 bit, quality 95, 4:4:4, alpha dropped).
 /// Throws Error(cannot_write), or Error(usage) for another extension or a 16-bit JPEG.
-void write_codes(const CodeImage& image, const std::filesystem::path& path);
+void write_codes(const CodeImage& image, const std::filesystem::path& path, const Notes& notes = {});
 
 /// Format and size of an image file. Damage is reported as by decode_codes, as far as it shows without decoding. Throws
 /// Error(bad_input).

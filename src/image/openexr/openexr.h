@@ -3,6 +3,7 @@
 
 #include "image/byte_source.h"
 #include "image/image.h"
+#include "image/notes.h"
 #include "image/reader.h"
 #include "image/openexr/openexr_header.h"
 
@@ -28,8 +29,9 @@ std::unique_ptr<RadianceReader> open_exr_alpha(std::unique_ptr<ByteSource> sourc
 /// Format and size of an OpenEXR file. Throws Error(bad_input).
 ImageInfo inspect_exr(ByteSource& source);
 
-/// Encodes RGB or RGBA as 32-bit floats with ZIP compression. Every value is kept, NaN and infinity included.
-std::vector<std::uint8_t> encode_exr(const RadianceImage& image);
+/// Encodes RGB or RGBA as 32-bit floats with ZIP compression. Every value is kept, NaN and infinity included. Each note
+/// becomes an attribute of type string.
+std::vector<std::uint8_t> encode_exr(const RadianceImage& image, const Notes& notes = {});
 
 /// Encodes RGB or RGBA as half floats with DWAB compression: at most a tenth of the size of encode_exr(), with errors
 /// like those of a JPEG. `loss` is the library's compression level, 45 its default.

@@ -7,6 +7,7 @@
 #include <ImfHeader.h>
 #include <ImfIO.h>
 #include <ImfOutputFile.h>
+#include <ImfStringAttribute.h>
 #include <half.h>
 
 #include <algorithm>
@@ -71,9 +72,11 @@ std::vector<std::uint8_t> encode(const RadianceImage& image, Imf::Header header,
 
 } // namespace
 
-std::vector<std::uint8_t> encode_exr(const RadianceImage& image)
+std::vector<std::uint8_t> encode_exr(const RadianceImage& image, const Notes& notes)
 {
     Imf::Header header(image.width, image.height);
+    for (const Note& note : notes)
+        header.insert(note.key, Imf::StringAttribute(note.value));
     header.compression() = Imf::ZIP_COMPRESSION;
     return encode(image, std::move(header), Imf::FLOAT, image.values.data());
 }

@@ -3,6 +3,7 @@
 
 #include "image/byte_source.h"
 #include "image/image.h"
+#include "image/notes.h"
 #include "image/reader.h"
 
 #include <cstdint>
@@ -20,7 +21,8 @@ std::unique_ptr<RadianceReader> open_radiance_hdr(std::unique_ptr<ByteSource> so
 /// Format and size of a Radiance image. Throws Error(bad_input).
 ImageInfo inspect_radiance_hdr(ByteSource& source);
 
-/// Encodes each pixel as the nearest RGBE codes, run-length encoded, rows from the top. Coverage is dropped.
-std::vector<std::uint8_t> encode_radiance_hdr(const RadianceImage& image);
+/// Encodes each pixel as the nearest RGBE codes, run-length encoded, rows from the top. Coverage is dropped. Each note
+/// becomes a comment line of the header, "# key: value".
+std::vector<std::uint8_t> encode_radiance_hdr(const RadianceImage& image, const Notes& notes = {});
 
 } // namespace lambent::image

@@ -87,7 +87,7 @@ std::vector<std::uint8_t> encode_rows(const RadianceImage& image, int first, int
 
 } // namespace
 
-std::vector<std::uint8_t> encode_radiance_hdr(const RadianceImage& image)
+std::vector<std::uint8_t> encode_radiance_hdr(const RadianceImage& image, const Notes& notes)
 {
     constexpr int band = 16;
     std::vector<std::vector<std::uint8_t>> bands(static_cast<std::size_t>((image.height + band - 1) / band));
@@ -95,8 +95,12 @@ std::vector<std::uint8_t> encode_radiance_hdr(const RadianceImage& image)
         bands[static_cast<std::size_t>(i)] =
             encode_rows(image, i * band, std::min((i + 1) * band, image.height));
     });
-    const std::string header = text("#?RADIANCE\nSOFTWARE=lambent\nFORMAT=32-bit_rle_rgbe\n\n-Y ",
-                                    image.height, " +X ", image.width, "\n");
+    std::string comments;
+    for (const Note& note : notes)
+        comments += text("# ", note.key, ": ", note.value, "\n");
+    const std::string header =
+        text("#?RADIANCE\n", comments, "SOFTWARE=lambent\nFORMAT=32-bit_rle_rgbe\n\n-Y ", image.height,
+             " +X ", image.width, "\n");
     std::size_t size = header.size();
     for (const std::vector<std::uint8_t>& rows : bands)
         size += rows.size();

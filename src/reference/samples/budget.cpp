@@ -1,6 +1,6 @@
-#include "reference/budget.h"
+#include "reference/samples/budget.h"
 
-#include "reference/sampler.h"
+#include "reference/samples/sampler.h"
 
 #include <algorithm>
 #include <bit>

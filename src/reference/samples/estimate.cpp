@@ -1,4 +1,4 @@
-#include "reference/estimate.h"
+#include "reference/samples/estimate.h"
 
 #include <algorithm>
 #include <limits>

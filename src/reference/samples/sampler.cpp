@@ -1,4 +1,4 @@
-#include "reference/sampler.h"
+#include "reference/samples/sampler.h"
 
 namespace lambent::reference {
 namespace {
