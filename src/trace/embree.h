@@ -17,6 +17,10 @@ inline void intersect1(RTCScene scene, RTCRayHit* ray)
 {
     rtcIntersect1(scene, ray);
 }
+inline void occluded1(RTCScene scene, RTCRay* ray)
+{
+    rtcOccluded1(scene, ray);
+}
 } // namespace lambent::trace
 #else
 #include <embree3/rtcore.h>
@@ -33,6 +37,12 @@ inline void intersect1(RTCScene scene, RTCRayHit* ray)
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     rtcIntersect1(scene, &context, ray);
+}
+inline void occluded1(RTCScene scene, RTCRay* ray)
+{
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(scene, &context, ray);
 }
 } // namespace lambent::trace
 #endif

@@ -230,6 +230,20 @@ Hit Visibility::nearest(const Ray& ray) const
                    ray.direction});
 }
 
+bool Visibility::is_blocked(const Ray& ray) const
+{
+    if (!takes(ray))
+        return false;
+    alignas(16) RTCRay one{};
+    one.org_x = ray.origin.x, one.org_y = ray.origin.y, one.org_z = ray.origin.z;
+    one.dir_x = ray.direction.x, one.dir_y = ray.direction.y, one.dir_z = ray.direction.z;
+    one.tnear = ray.near;
+    one.tfar = ray.far;
+    one.mask = ~0u;
+    occluded1(world_.get(), &one);
+    return one.tfar < 0.0f; // Embree sets it to minus infinity
+}
+
 Hit Visibility::hit_of(const Found& found) const
 {
     Hit hit;
