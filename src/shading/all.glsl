@@ -3,6 +3,7 @@
 #include "shading/lobes/facets.glsl"
 #include "shading/lobes/arrival.glsl"
 #include "shading/lobes/direct.glsl"
+#include "shading/lobes/drawn.glsl"
 #include "shading/lobes/ggx_light.glsl"
 #include "shading/lobes/phong_light.glsl"
 #include "shading/lobes/pipeline_report.glsl"

@@ -34,3 +34,14 @@ Real level_of_base(Environment e, Base_ggx b, ShinyPoint s)
 {
     return part_of_levels(middle_level_ggx(e, mirror_at(e, s, b.metallic)), highest_level(e));
 }
+
+// Luminance of what the base reflects diffusely (x) and by its glossy lobe (y), of white light from everywhere.
+vec2 parts_of_base(Base_ggx b)
+{
+    Reflectance r = reflectance_metallic(b.metallic, b.albedo);
+    return vec2(luminance_of(r.diffuse), luminance_of(r.plain + r.grazing));
+}
+
+vec3 drawn_by_base(Base_ggx b, ShinyPoint s, vec3 point) { return drawn_by_facets(b.metallic, s, point); }
+
+Real density_by_base(Base_ggx b, ShinyPoint s, vec3 L) { return density_by_facets(b.metallic, s, L); }

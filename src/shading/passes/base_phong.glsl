@@ -47,3 +47,13 @@ Real level_of_base(Environment e, Base_phong b, ShinyPoint s)
         return part_of_levels(middle_level_report(e, exponent), highest_report_level(e));
     return part_of_levels(middle_level_phong(e, in_environment(e, s), exponent), highest_level(e));
 }
+
+// Luminance of what the base reflects diffusely (x) and, at normal incidence, by its glossy lobe (y).
+vec2 parts_of_base(Base_phong b)
+{
+    return vec2(luminance_of(b.phong.diffuse), luminance_of(b.phong.specular));
+}
+
+vec3 drawn_by_base(Base_phong b, ShinyPoint s, vec3 point) { return drawn_by_phong(b.phong, s, point); }
+
+Real density_by_base(Base_phong b, ShinyPoint s, vec3 L) { return density_by_phong(b.phong, s, L); }

@@ -7,6 +7,9 @@
 //   ambient_base(Environment, Base_name, vec3, Real)         irradiance that it reflects, times a brightness
 //   reflected_base(Environment, Base_name, ShinyPoint)       light of the environment that its glossy part reflects
 //   level_of_base(Environment, Base_name, ShinyPoint)        level read at the lobe's centre / highest level
+//   parts_of_base(Base_name)                                 luminance that it reflects diffusely, and by its glossy lobe
+//   drawn_by_base(Base_name, ShinyPoint, vec3)               a direction drawn from its glossy lobe, from a point
+//   density_by_base(Base_name, ShinyPoint, vec3)             the density of such directions
 #ifdef BASE
 BASE(ggx, 0, 1)
 BASE(phong, 1, 0)
