@@ -110,6 +110,7 @@ PreparedPicture::PreparedPicture(std::span<const scene::Light> scene_lights,
     : settings(given), rays(ray_map(given.camera, given.width, given.height)), edges(edges_of(given)),
       tables(make_sample_tables(given.samples, lobe_points(given))),
       few_tables(make_sample_tables(few_samples(given), lobe_points(given))),
+      hit_tables(make_sample_tables(std::min(given.samples, split_sum_samples), lobe_points(given))),
       lights(light_sources(scene_lights, given.lights))
 {
     if (environment && settings.model == Model::phong && settings.mip_level == MipLevel::report)
@@ -129,6 +130,9 @@ PreparedPicture::PreparedPicture(std::span<const scene::Light> scene_lights,
     light.middle_level = settings.layers;
     few_light = light;
     few_light.tables = &few_tables;
+    hit_light = light;
+    hit_light.tables = &hit_tables;
+    hit_light.middle_level = false;
     if (environment)
         background_level = static_cast<float>(level_of_background(*environment, settings, rays));
 }

@@ -38,9 +38,11 @@ struct PreparedPicture {
     SampleTables tables;
     SampleTables
         few_tables; ///< for fragments that cover less than small_share of a pixel: their error counts less
+    SampleTables hit_tables; ///< for surfaces that light comes from, not those that the camera sees
     std::vector<environment::Panorama> mips; ///< for Model::phong with MipLevel::report; else empty
     LightContext light;                      ///< with `tables`
     LightContext few_light;                  ///< the same with `few_tables`
+    LightContext hit_light;                  ///< the same with `hit_tables`
     std::vector<LightSource> lights;
     float background_level = -1.0f; ///< of blur; negative: the panorama itself
 };

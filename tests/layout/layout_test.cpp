@@ -41,8 +41,8 @@ const std::map<std::string, std::set<std::string>> allowed = {
     // Each program is a room of its own.
     {"apps/options", {"base", "image", "scene", "environment", "draw", "display"}},
     {"apps/common",
-     {"apps/options", "base", "wide", "image", "scene", "view", "environment", "denoise", "draw", "reference", "audit",
-      "display", "compare"}},
+     {"apps/options", "base", "wide", "image", "scene", "view", "environment", "denoise", "draw", "reference",
+      "audit", "display", "compare"}},
     {"apps/viewer",
      {"apps/options", "apps/common", "base", "equations", "image", "scene", "environment", "draw",
       "reference", "compare"}},

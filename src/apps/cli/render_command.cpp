@@ -31,6 +31,7 @@ nlohmann::ordered_json describe(const RenderArguments& arguments, const scene::S
             {"width", arguments.settings.width},
             {"height", arguments.settings.height},
             {"samples", arguments.settings.samples},
+            {"bounces", arguments.settings.bounces},
             {"triangles", scene::triangle_count(scene)}};
 }
 
@@ -101,8 +102,10 @@ void run(const RenderArguments& arguments)
     settings.camera = choose_camera(arguments, scene);
     settings.lights = lights_asked(arguments, scene.origin);
     settings.layers = !arguments.layers.empty();
+    settings.white = 1.0f / arguments.display.exposure;
+    const Backend backend = settings.bounces > 0 ? Backend::cpu : arguments.backend;
     const std::unique_ptr<draw::Renderer> renderer = make_renderer(
-        {arguments.backend, arguments.cache, [&](const std::string& line) { console.warn({line}); }}, scene);
+        {backend, arguments.cache, [&](const std::string& line) { console.warn({line}); }}, scene);
     const draw::Frame frame = renderer->draw(loaded.environment ? &*loaded.environment : nullptr, settings,
                                              [&](float done) { console.progress(done); });
     console.end_progress();

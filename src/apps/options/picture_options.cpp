@@ -199,8 +199,11 @@ Group<A> render_group()
              .at([](auto& a) -> auto& { return a.settings.bounces; })
              .says("Bounces of light; 0: direct light without shadows, 1: with shadows",
                    "bounces of light, as in `reference`. 0: direct light without shadows; 1: with shadows; "
-                   "more: "
-                   "from surface to surface"),
+                   "more: from surface to surface ([how](LIGHT.md)). Above 0 on the CPU only"),
+         R("passes", "N", whole(1, 4096), "2")
+             .at([](auto& a) -> auto& { return a.settings.passes; })
+             .says("Rounds of rays; only with --bounces above 0",
+                   "rounds of rays, each of two samples of every pixel; only with `--bounces` above 0"),
          R("no-audit")
              .at([](auto& a) -> auto& { return a.audit; })
              .says("Do not measure the picture's error", "do not measure the picture's error. A picture with "

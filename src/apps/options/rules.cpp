@@ -35,6 +35,7 @@ void settle_pipeline(RenderArguments& arguments, const Given& given)
     refuse_if(display.tone != display::Tone::reinhard,
               "--pipeline report: not with --tone: it uses the report's own tone curve");
     refuse_if(given("audit"), "--pipeline report: not with --audit: no reference draws as it does");
+    refuse_if(settings.bounces > 0, "--pipeline report: not with --bounces: the report has no shadows");
     settings.pipeline = draw::ReportPipeline{display.exposure, display.contrast, display.encode};
     settings.mip_level = draw::MipLevel::report;
     settings.texel_transfer = draw::TexelTransfer::none; // the pipeline decodes texels itself
@@ -44,6 +45,14 @@ void settle_pipeline(RenderArguments& arguments, const Given& given)
     display.exposure = display.contrast = 1.0f;
     display.tone = display::Tone::linear;
     display.encode = false;
+}
+
+void check_bounces(const RenderArguments& arguments, const Given& given)
+{
+    const bool bounces = arguments.settings.bounces > 0;
+    refuse_if(bounces && arguments.backend == Backend::vulkan,
+              "--backend vulkan: draws light without shadows only; use --backend cpu or --bounces 0");
+    refuse_if(!bounces && given("passes"), "--passes: only with --bounces above 0");
 }
 
 } // namespace
@@ -77,6 +86,7 @@ void settle(RenderArguments& arguments, const Given& given)
 {
     check_view(arguments, given);
     refuse_if(given("audit") && given("no-audit"), "--audit and --no-audit exclude each other");
+    check_bounces(arguments, given);
     derive(arguments);
     if (arguments.report_pipeline)
         settle_pipeline(arguments, given);

@@ -1,7 +1,9 @@
 #include "draw/cpu/cpu_renderer.h"
 
 #include "base/text.h"
+#include "draw/cpu/full_light.h"
 #include "draw/cpu/tile.h"
+#include "draw/cpu/tiles.h"
 
 #include <hwy/targets.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -19,35 +21,6 @@
 namespace lambent::draw {
 namespace {
 
-// The tiles of a picture, and which of them are drawn.
-class Tiles {
-public:
-    Tiles(int width, int height)
-        : width_(width), height_(height), columns_((width + size - 1) / size),
-          done_(static_cast<std::size_t>(columns_ * ((height + size - 1) / size)), 0)
-    {
-    }
-
-    int count() const { return static_cast<int>(done_.size()); }
-
-    TileArea area(int tile) const
-    {
-        const int x = tile % columns_ * size, y = tile / columns_ * size;
-        return {x, y, std::min(size, width_ - x), std::min(size, height_ - y)};
-    }
-
-    // Each tile is accessed by one thread only.
-    bool is_done(int tile) const { return done_[static_cast<std::size_t>(tile)] != 0; }
-    void set_done(int tile) { done_[static_cast<std::size_t>(tile)] = 1; }
-
-    int done_count() const { return static_cast<int>(std::count(done_.begin(), done_.end(), char(1))); }
-
-private:
-    static constexpr int size = TileDrawer::largest_size;
-    int width_, height_, columns_;
-    std::vector<char> done_;
-};
-
 // Calls GoOn after every tile, one thread at a time. Tiles that finish after it returned false are reported too, so
 // that the caller knows the final fraction.
 class ProgressReporter {
@@ -56,15 +29,14 @@ public:
 
     void step()
     {
-        if (!go_on_)
-            return;
         const std::lock_guard lock(mutex_);
         ++done_;
-        if (!go_on_(static_cast<float>(done_) / static_cast<float>(all_)))
+        if (go_on_ && !go_on_(static_cast<float>(done_) / static_cast<float>(all_)))
             stopped_ = true;
     }
 
     bool stopped() const { return stopped_; }
+    int done() const { return done_; }
 
 private:
     const Drawing::GoOn& go_on_;
@@ -126,32 +98,51 @@ public:
           prepared_(renderer.scene().lights, environment, settings_),
           frame_(blank_frame(settings_, renderer.scene())), tiles_(settings_.width, settings_.height)
     {
+        if (settings_.bounces > 0)
+            full_light_ = std::make_unique<FullLight>(settings_);
     }
 
     bool advance(const GoOn& go_on) override
     {
         const PictureContext picture =
             picture_context(renderer_.prepared(settings_.texel_transfer), settings_, prepared_);
-        ProgressReporter reporter(go_on, tiles_.done_count(), tiles_.count());
-        tbb::enumerable_thread_specific<TileDrawer> drawers([&] { return TileDrawer(picture); });
-        tbb::parallel_for(0, tiles_.count(), [&](int tile) {
-            if (reporter.stopped() || tiles_.is_done(tile))
-                return;
-            drawers.local().draw(tiles_.area(tile), frame_);
-            tiles_.set_done(tile);
-            reporter.step();
-        });
-        return tiles_.done_count() == tiles_.count();
+        ProgressReporter reporter(go_on, done_,
+                                  tiles_.count() * (1 + (full_light_ ? full_light_->stages() : 0)));
+        const FullLight::ForTiles for_tiles = [&](Tiles& tiles, const std::function<void(int)>& visit) {
+            tbb::parallel_for(0, tiles.count(), [&](int tile) {
+                if (reporter.stopped() || tiles.is_done(tile))
+                    return;
+                visit(tile);
+                tiles.set_done(tile);
+                reporter.step();
+            });
+        };
+        draw_tiles(picture, for_tiles);
+        const bool complete =
+            tiles_.all_done() && (!full_light_ || full_light_->advance(picture, for_tiles, frame_));
+        done_ = reporter.done();
+        return complete;
     }
 
     Frame take() override { return std::move(frame_); }
 
 private:
+    // Draws the picture without shadows.
+    void draw_tiles(const PictureContext& picture, const FullLight::ForTiles& for_tiles)
+    {
+        tbb::enumerable_thread_specific<TileDrawer> drawers([&] { return TileDrawer(picture); });
+        for_tiles(tiles_, [&](int tile) {
+            drawers.local().draw(tiles_.area(tile), frame_, full_light_ ? &full_light_->sums() : nullptr);
+        });
+    }
+
     CpuRenderer& renderer_;
     const Settings settings_;
     const PreparedPicture prepared_;
     Frame frame_;
     Tiles tiles_;
+    std::unique_ptr<FullLight> full_light_; ///< null without bounces
+    int done_ = 0;                          ///< tiles, over all stages
 };
 
 std::unique_ptr<Drawing> CpuRenderer::start(const environment::Environment* environment,

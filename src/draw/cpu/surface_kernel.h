@@ -33,6 +33,8 @@ private:
 /// Data shared by all fragments of a group.
 struct SurfaceContext {
     RayMap rays;
+    bool met_by_rays =
+        false; ///< whether each fragment has its own ray, in the columns met_*, instead of `rays`
     Model model = Model::ggx;
     bool energy_compensation = true;
     const scene::Mesh* mesh = nullptr;

@@ -27,6 +27,16 @@ void add(float* out, float weight, const glm::vec3& rgb)
     out[3] += weight;
 }
 
+// The diffuse reflectance by which the irradiance became light; white where there is no light.
+glm::vec3 diffuse_albedo(const glm::vec3& ambient, const glm::vec3& irradiance)
+{
+    glm::vec3 albedo(1.0f);
+    for (int c = 0; c < 3; ++c)
+        if (irradiance[c] > 0.0f)
+            albedo[c] = 3.1415927f * ambient[c] / irradiance[c];
+    return albedo;
+}
+
 } // namespace
 
 TileDrawer::TileDrawer(const PictureContext& picture)
@@ -34,7 +44,7 @@ TileDrawer::TileDrawer(const PictureContext& picture)
 {
 }
 
-void TileDrawer::draw(const TileArea& area, Frame& frame)
+void TileDrawer::draw(const TileArea& area, Frame& frame, LightSums* sums)
 {
     background_.assign(static_cast<std::size_t>(area.width * area.height), 0.0f);
     look_at_centres(area);
@@ -43,6 +53,8 @@ void TileDrawer::draw(const TileArea& area, Frame& frame)
         build_fragments();
         shade();
         resolve(frame, area);
+        if (sums)
+            resolve_classes(*sums, area);
         look_behind();
     }
     for (const Look& look : looks_) // still transparent after the last wave
@@ -50,14 +62,22 @@ void TileDrawer::draw(const TileArea& area, Frame& frame)
     add_background(frame, area);
 }
 
+// Occlusion textures approximate shadows of the environment's light, which pictures with bounces compute.
+SurfaceContext PictureContext::surface(std::uint32_t instance) const
+{
+    SurfaceContext context = scene.surface(instance);
+    context.rays = prepared.rays;
+    context.model = settings.model;
+    context.energy_compensation = settings.energy_compensation;
+    context.roughness = settings.roughness_override;
+    if (settings.bounces > 0)
+        context.textures[texture_occlusion] = nullptr;
+    return context;
+}
+
 void TileDrawer::find_group(const Fragments::Group& group)
 {
-    SurfaceContext context = picture_.scene.surface(group.instance);
-    context.rays = picture_.prepared.rays;
-    context.model = picture_.settings.model;
-    context.energy_compensation = picture_.settings.energy_compensation;
-    context.roughness = picture_.settings.roughness_override;
-    find_surfaces(context, group.begin, group.end, fragments_);
+    find_surfaces(picture_.surface(group.instance), group.begin, group.end, fragments_);
 }
 
 void TileDrawer::darken(const Fragments::Group& group)
@@ -131,6 +151,37 @@ void TileDrawer::resolve(Frame& frame, const TileArea& area)
                     three(column_reflected, at));
             for (std::size_t i = 0; i < sources.size(); ++i)
                 add(frame.layers[i].image.pixel(place.x, place.y), weight, layer_value(sources[i], at));
+        }
+    }
+}
+
+// Adds what pixels show to the sums, as resolve() adds it to the frame.
+void TileDrawer::resolve_classes(LightSums& sums, const TileArea& area) const
+{
+    const Fragments& f = fragments_;
+    const auto three = [&](int first, std::size_t at) {
+        return glm::vec3(f[first][at], f[first + 1][at], f[first + 2][at]);
+    };
+    denoise::Guides& guides = sums.picture.guides;
+    for (const Fragments::Group& group : f.groups) {
+        const scene::Material& material = *picture_.scene.surface(group.instance).material;
+        for (std::size_t at = group.begin; at < group.end; ++at) {
+            const float weight = f.weight[at] * shown(material, f[column_opacity][at]);
+            if (weight <= 0.0f || material.unlit)
+                continue;
+            const int place = static_cast<int>(f.pixel[at]);
+            const std::size_t pixel = static_cast<std::size_t>(area.y + place / area.width) *
+                                          static_cast<std::size_t>(picture_.settings.width) +
+                                      static_cast<std::size_t>(area.x + place % area.width);
+            const glm::vec3 ambient = three(column_ambient, at), irradiance = three(column_irradiance, at);
+            add_to(sums.picture.diffuse.exact, pixel, weight * ambient);
+            add_to(sums.picture.specular.exact, pixel, weight * three(column_reflected, at));
+            add_to(sums.picture.diffuse.albedo, pixel, weight * diffuse_albedo(ambient, irradiance));
+            add_to(guides.normal, pixel, weight * three(column_shine, at));
+            guides.coverage[pixel] += weight;
+            guides.depth[pixel] += weight * f[column_depth][at];
+            guides.alpha[pixel] += weight * f[column_alpha][at];
+            guides.metalness[pixel] += weight * f[column_metallic][at];
         }
     }
 }

@@ -3,6 +3,7 @@
 
 #include "draw/cpu/fragments.h"
 #include "draw/cpu/light_kernel.h"
+#include "draw/cpu/light_sums.h"
 #include "draw/cpu/sight.h"
 #include "draw/prepared_picture.h"
 
@@ -19,6 +20,10 @@ struct PictureContext {
     const Settings& settings;
     const PreparedPicture& prepared;
     std::vector<float> shared_cosines; ///< by instance: see Edges::shared_cosine
+    bool all_opaque = true;            ///< whether no surface has an alpha mode
+
+    /// An instance's surfaces, with the picture's settings.
+    SurfaceContext surface(std::uint32_t instance) const;
 };
 PictureContext picture_context(const PreparedScene& scene, const Settings& settings,
                                const PreparedPicture& prepared);
@@ -44,8 +49,9 @@ public:
 
     explicit TileDrawer(const PictureContext& picture);
 
-    /// Draws the area, at most `largest_size` wide and high, into the frame.
-    void draw(const TileArea& area, Frame& frame);
+    /// Draws the area, at most `largest_size` wide and high, into the frame. `sums`, if not null, gets the light without
+    /// shadows in its classes, and what the filter is guided by.
+    void draw(const TileArea& area, Frame& frame, LightSums* sums = nullptr);
 
 private:
     void look_at_centres(const TileArea& area);
@@ -65,6 +71,7 @@ private:
     void darken(const Fragments::Group& group);
     void look_behind();
     void resolve(Frame& frame, const TileArea& area);
+    void resolve_classes(LightSums& sums, const TileArea& area) const;
     void add_background(Frame& frame, const TileArea& area);
 
     const PictureContext& picture_;

@@ -41,10 +41,13 @@ PictureContext picture_context(const PreparedScene& scene, const Settings& setti
                                const PreparedPicture& prepared)
 {
     PictureContext picture{scene, settings, prepared, {}};
-    for (std::size_t i = 0; i < scene.instance_count(); ++i)
+    for (std::size_t i = 0; i < scene.instance_count(); ++i) {
+        const scene::Material& material = *scene.surface(static_cast<std::uint32_t>(i)).material;
+        picture.all_opaque = picture.all_opaque && material.alpha_mode == scene::AlphaMode::opaque;
         picture.shared_cosines.push_back(static_cast<float>(in_double::shared_cosine(
             static_cast<double>(scene.typical_alpha(static_cast<std::uint32_t>(i)).in(settings)),
             static_cast<double>(prepared.edges.shared_cosine))));
+    }
     return picture;
 }
 

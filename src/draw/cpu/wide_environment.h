@@ -65,6 +65,13 @@ HWY_INLINE vec3 turned(const Environment& e, vec3 d)
     return vec3(cosine * d.x - sine * d.z, d.y, sine * d.x + cosine * d.z);
 }
 
+// The inverse of turned().
+HWY_INLINE vec3 in_world(const Environment& e, vec3 d)
+{
+    const Real cosine = e.context->rotation_cosine, sine = e.context->rotation_sine;
+    return vec3(cosine * d.x + sine * d.z, d.y, cosine * d.z - sine * d.x);
+}
+
 HWY_INLINE vec3 environment_irradiance(const Environment& e, vec3 d)
 {
     const environment::IrradianceMap& map = e.context->environment->irradiance;

@@ -66,8 +66,19 @@ HWY_INLINE Real compensation_of(const Source& s)
     return s.context->energy_compensation ? 1.0 : 0.0;
 }
 
+// The ray by which a fragment was met, other than a camera ray.
+HWY_INLINE SightRay own_ray(const Source& s)
+{
+    const vec3 direction = load3(s.fragment, met_along);
+    const Real spread = load(s.fragment, met_spread);
+    const mat3 frame = orthonormal_frame(direction);
+    return {load3(s.fragment, met_from), vec3(0.0), vec3(0.0), direction, spread * frame.x, spread * frame.y};
+}
+
 HWY_INLINE SightRay sight_of(const Source& s)
 {
+    if (s.context->met_by_rays)
+        return own_ray(s);
     const RayMap& rays = s.context->rays;
     const Real x = load(s.fragment, place_x), y = load(s.fragment, place_y);
     return {uniform(rays.origin) + x * uniform(rays.origin_dx) + y * uniform(rays.origin_dy),

@@ -1,0 +1,162 @@
+#include "draw/cpu/full_light.h"
+
+#include "denoise/light_filter.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace lambent::draw {
+namespace {
+
+// Each round adds a bounce to the light that the cache knows. Later ones would change it by little, but in white rooms.
+constexpr int most_rounds = 5;
+
+// Camera rays of a round that fills the cache, at least, and of the last one.
+constexpr double rays_of_round = 20000.0, rays_of_last_round = 60000.0;
+
+// Numbers of samples that no pixel reaches, for the rounds.
+constexpr std::uint32_t first_round_sample = 0x10000;
+
+// Samples of a pixel in a pass, one of each half.
+constexpr std::uint32_t samples_of_pass = 2;
+
+void add_to_pixel(float* rgb, const glm::vec3& change)
+{
+    for (int c = 0; c < 3; ++c)
+        rgb[c] += change[c];
+}
+
+// Mean of the radiance that pixels with surfaces show.
+float mean_of_covered(const Frame& frame)
+{
+    double sum = 0.0, covered = 0.0;
+    const std::vector<float>& values = frame.radiance.values;
+    for (std::size_t at = 0; at + 3 < values.size(); at += 4) {
+        if (!(values[at + 3] > 0.0f))
+            continue;
+        covered += 1.0;
+        for (std::size_t c = 0; c < 3; ++c)
+            sum += static_cast<double>(values[at + c]) / 3.0;
+    }
+    const double mean = covered > 0.0 ? sum / covered : 0.0;
+    return mean > 0.0 ? static_cast<float>(mean) : 1.0f;
+}
+
+} // namespace
+
+FullLight::FullLight(const Settings& settings)
+    : settings_(settings), sums_(settings.width, settings.height), tiles_(settings.width, settings.height),
+      rounds_(std::clamp(settings.bounces - 1, 0, most_rounds))
+{
+}
+
+// Of pixels along each axis, one in this many has a ray.
+int FullLight::spacing(bool last) const
+{
+    const denoise::Plane& coverage = sums_.picture.guides.coverage;
+    const auto covered = std::count_if(coverage.begin(), coverage.end(), [](float c) { return c > 0.0f; });
+    return std::clamp(static_cast<int>(std::sqrt(static_cast<double>(covered) /
+                                                 (last ? rays_of_last_round : rays_of_round))),
+                      1, 16);
+}
+
+bool FullLight::fill_round(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame)
+{
+    if (!next_)
+        next_ = std::make_unique<WorldCache>(sizes_);
+    const RayGatherer::Filling filling{*next_, spacing(round_ + 1 == rounds_),
+                                       first_round_sample + static_cast<std::uint32_t>(round_)};
+    tbb::enumerable_thread_specific<RayGatherer> gatherers(
+        [&] { return RayGatherer(picture, known_.get()); });
+    for_tiles(tiles_, [&](int tile) { gatherers.local().fill(tiles_.area(tile), filling, frame); });
+    if (!tiles_.all_done())
+        return false;
+    tiles_.restart();
+    return true;
+}
+
+// A cache that became full has lost points that depend on the threads; wider cells take its place.
+bool FullLight::fill_cache(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame)
+{
+    if (round_ == 0 && !next_)
+        sizes_.unit = mean_of_covered(frame);
+    while (round_ < rounds_) {
+        if (!fill_round(picture, for_tiles, frame))
+            return false;
+        if (next_->is_full()) {
+            sizes_.side *= 2.0f;
+            next_.reset();
+            continue;
+        }
+        known_ = std::move(next_);
+        ++round_;
+    }
+    return true;
+}
+
+bool FullLight::gather(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame)
+{
+    for (; pass_ < settings_.passes; ++pass_) {
+        tbb::enumerable_thread_specific<RayGatherer> gatherers(
+            [&] { return RayGatherer(picture, known_.get()); });
+        for_tiles(tiles_, [&](int tile) {
+            for (std::uint32_t i = 0; i < samples_of_pass; ++i)
+                gatherers.local().gather(
+                    tiles_.area(tile), static_cast<std::uint32_t>(pass_) * samples_of_pass + i, frame, sums_);
+        });
+        if (!tiles_.all_done())
+            return false;
+        tiles_.restart();
+    }
+    return true;
+}
+
+// Replaces the light without shadows by the light that was found, in the picture and in its layers.
+void FullLight::finish(Frame& frame)
+{
+    make_means(sums_);
+    const denoise::Filtered filtered = denoise::filter_light(sums_.picture, {settings_.white});
+    const denoise::Picture& known = sums_.picture;
+    const auto width = static_cast<std::size_t>(settings_.width);
+    const auto layer = [&](const char* name) {
+        const auto found = std::find_if(frame.layers.begin(), frame.layers.end(),
+                                        [&](const Layer& l) { return l.name == name; });
+        return found == frame.layers.end() ? nullptr : &found->image;
+    };
+    image::RadianceImage* const images[] = {layer("light_ambient"), layer("light_specular"),
+                                            layer("light_direct")};
+    tbb::parallel_for(0, settings_.height, [&](int y) {
+        for (int x = 0; x < settings_.width; ++x) {
+            const std::size_t pixel = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
+            const float covered = known.guides.coverage[pixel];
+            if (!(covered > 0.0f))
+                continue;
+            const glm::vec3 changes[] = {
+                covered * (at(filtered.diffuse.light, pixel) - at(known.diffuse.exact, pixel)),
+                covered * (at(filtered.specular.light, pixel) - at(known.specular.exact, pixel)),
+                at(sums_.lights, pixel)};
+            float* const out = frame.radiance.pixel(x, y);
+            for (std::size_t i = 0; i < 3; ++i) {
+                add_to_pixel(out, changes[i]);
+                if (images[i])
+                    add_to_pixel(images[i]->pixel(x, y), changes[i]);
+            }
+            for (int c = 0; c < 3; ++c)
+                out[c] = std::max(out[c], 0.0f); // what is less is noise of the lights' shadows at edges
+        }
+    });
+}
+
+bool FullLight::advance(const PictureContext& picture, const ForTiles& for_tiles, Frame& frame)
+{
+    if (!fill_cache(picture, for_tiles, frame) || !gather(picture, for_tiles, frame))
+        return false;
+    finish(frame);
+    return true;
+}
+
+} // namespace lambent::draw

@@ -1,0 +1,45 @@
+// Light of the pixels of a picture in its classes: what is known without noise, and what rays found.
+#pragma once
+
+#include "denoise/light_filter.h"
+#include "draw/cpu/light_class.h"
+
+#include <glm/vec3.hpp>
+
+#include <cstddef>
+#include <vector>
+
+namespace lambent::draw {
+
+/// Adds RGB to a pixel of three planes.
+inline void add_to(denoise::Rgb& planes, std::size_t pixel, const glm::vec3& rgb)
+{
+    for (std::size_t c = 0; c < 3; ++c)
+        planes[c][pixel] += rgb[static_cast<int>(c)];
+}
+
+inline glm::vec3 at(const denoise::Rgb& planes, std::size_t pixel)
+{
+    return {planes[0][pixel], planes[1][pixel], planes[2][pixel]};
+}
+
+/// Sums over the surfaces that pixels show and over the rays that leave them.
+struct LightSums {
+    denoise::Picture picture;
+    denoise::Rgb lights;    ///< light of sources without size as it is, less what it would be without shadows
+    denoise::Plane samples; ///< camera rays
+    std::array<denoise::Plane, 2> seen; ///< camera rays of each half that met a surface
+
+    /// Sums of zero.
+    LightSums(int width, int height);
+
+    denoise::Light& light(std::size_t light_class)
+    {
+        return light_class == diffuse_light ? picture.diffuse : picture.specular;
+    }
+};
+
+/// Turns sums into means over the covered part of each pixel, as the filter takes them.
+void make_means(LightSums& sums);
+
+} // namespace lambent::draw

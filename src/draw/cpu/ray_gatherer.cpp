@@ -1,0 +1,204 @@
+#include "draw/cpu/ray_gatherer.h"
+
+#include "draw/cpu/random_points.h"
+#include "draw/cpu/ray_kernel.h"
+#include "draw/cpu/specular_kernel.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+
+namespace lambent::draw {
+
+RayGatherer::RayGatherer(const PictureContext& picture, const WorldCache* cache)
+    : picture_(picture), cache_(cache), seen_(picture), near_(picture), first_(picture), second_(picture)
+{
+}
+
+// Traces one camera ray through covered pixels of the area, one in spacing^2.
+void RayGatherer::look(const TileArea& area, std::uint32_t sample, int spacing, const Frame& frame)
+{
+    const RayMap& map = picture_.prepared.rays;
+    sights_.clear();
+    const auto offset = static_cast<int>(sample) % (spacing * spacing);
+    for (int y = area.y + offset / spacing; y < area.y + area.height; y += spacing)
+        for (int x = area.x + offset % spacing; x < area.x + area.width; x += spacing) {
+            if (!(frame.radiance.pixel(x, y)[3] > 0.0f))
+                continue;
+            WaveRay ray;
+            ray.owner = static_cast<std::uint32_t>(y * picture_.settings.width + x);
+            ray.sequence = hashed(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
+            const float across = static_cast<float>(x) + random_number(ray.sequence, sample, 0);
+            const float down = static_cast<float>(y) + random_number(ray.sequence, sample, 1);
+            ray.origin = map.origin + across * map.origin_dx + down * map.origin_dy;
+            const glm::vec3 way = map.direction + across * map.direction_dx + down * map.direction_dy;
+            const float length = glm::length(way);
+            ray.direction = way / length;
+            ray.near = map.near * length;
+            ray.far = map.far * length;
+            ray.spread = glm::length(map.direction_dx) / length;
+            ray.skips_backs = true;
+            ray.seed = hashed(ray.sequence, sample);
+            sights_.push_back(ray);
+        }
+    seen_.cast(sights_, true);
+    seen_.find(sights_, 0.0f);
+}
+
+// Fills the columns of light of a wave's fragments, without shadows.
+void RayGatherer::light_unshadowed(RayWave& wave)
+{
+    Fragments& f = wave.fragments();
+    const PreparedPicture& prepared = picture_.prepared;
+    for (const Fragments::Group& group : f.groups) {
+        for (int c = column_direct; c < columns_of_light_end; ++c)
+            std::fill(f[c] + group.begin, f[c] + group.end, 0.0f);
+        if (picture_.scene.surface(group.instance).material->unlit || !cache_)
+            continue;
+        if (!prepared.lights.empty())
+            light_directly(prepared.hit_light, prepared.lights, group.begin, group.end, f);
+        if (!prepared.light.environment)
+            continue;
+        light_ambiently(prepared.hit_light, group.begin, group.end, f);
+        light_specularly(prepared.hit_light, group.begin, group.end, f);
+    }
+}
+
+void RayGatherer::soften_all(RayWave& wave)
+{
+    for (const Fragments::Group& group : wave.fragments().groups)
+        soften(group.begin, group.end, wave.fragments());
+}
+
+std::array<glm::vec3, light_classes> RayGatherer::unshadowed_light(const Fragments& f, std::size_t at) const
+{
+    return {three(f, column_direct, at) + three(f, column_ambient, at), three(f, column_reflected, at)};
+}
+
+CachePoint RayGatherer::point_of(const RayWave& wave, std::size_t at) const
+{
+    const Fragments& f = wave.fragments();
+    const WaveRay& ray = wave.rays()[f.pixel[at]];
+    CachePoint point;
+    point.position = three(f, column_position, at);
+    point.normal = three(f, column_shine, at);
+    point.instance = ray.hit.instance;
+    point.front = ray.hit.front;
+    point.distance = glm::length(point.position - picture_.settings.camera.position);
+    return point;
+}
+
+// Light that each ray of a step brings from the surface that it met.
+void RayGatherer::light_of_hits(RayStep& step)
+{
+    RayWave& met = step.met();
+    light_unshadowed(met);
+    const Fragments& f = met.fragments();
+    light_.assign(step.lobes().size(), glm::vec3(0.0f));
+    for (const Fragments::Group& group : f.groups)
+        for (std::size_t at = group.begin; at < group.end; ++at) {
+            if (f.weight[at] <= 0.0f)
+                continue;
+            glm::vec3& light = light_[f.pixel[at]];
+            const std::array<glm::vec3, light_classes> unshadowed = unshadowed_light(f, at);
+            if (cache_)
+                light = cache_->true_light(point_of(met, at), unshadowed);
+            const bool culled =
+                !step.lobes()[f.pixel[at]].hit.front && picture_.scene.culls_back(group.instance);
+            if (!culled)
+                light += three(f, column_emissive, at);
+        }
+}
+
+// Whether the light of a surface that a ray met is found by rays of its own, because the cache's cells are too wide for what
+// is so near.
+bool RayGatherer::asks_further(const RayWave& met, std::size_t at) const
+{
+    constexpr float near_cells = 2.0f;
+    return met.fragments()[hit_distance][at] < near_cells * cache_->side_at(point_of(met, at).distance);
+}
+
+// Replaces the light of such hits.
+void RayGatherer::follow(std::uint32_t sample)
+{
+    const RayWave& met = first_.met();
+    further_.clear();
+    for (const Fragments::Group& group : met.fragments().groups)
+        for (std::size_t at = group.begin; at < group.end; ++at)
+            if (met.fragments().weight[at] > 0.0f && asks_further(met, at)) {
+                further_.push_back(first_.lobes()[met.fragments().pixel[at]]);
+                further_.back().owner = met.fragments().pixel[at];
+            }
+    if (further_.empty())
+        return;
+    near_.find(further_, 1.0f);
+    soften_all(near_);
+    second_.send(near_, further_, sample);
+    near_light_.swap(light_);
+    light_of_hits(second_);
+    second_.collect(near_, light_, found_);
+    near_light_.swap(light_);
+    const Fragments& f = near_.fragments();
+    for (const Fragments::Group& group : f.groups)
+        for (std::size_t at = group.begin; at < group.end; ++at) {
+            if (f.weight[at] <= 0.0f)
+                continue;
+            light_[further_[f.pixel[at]].owner] = three(f, column_emissive, at) + found_[at].lights_found +
+                                                  found_[at].found[diffuse_light] +
+                                                  found_[at].found[glossy_light];
+        }
+}
+
+void RayGatherer::gather(const TileArea& area, std::uint32_t sample, const Frame& frame, LightSums& sums)
+{
+    look(area, sample, 1, frame);
+    if (sights_.empty())
+        return;
+    first_.send(seen_, sights_, sample);
+    light_of_hits(first_);
+    if (cache_)
+        follow(sample);
+    first_.collect(seen_, light_, found_);
+    const Fragments& f = seen_.fragments();
+    const std::size_t half = sample % 2;
+    for (const Fragments::Group& group : f.groups)
+        for (std::size_t at = group.begin; at < group.end; ++at) {
+            if (f.weight[at] <= 0.0f)
+                continue;
+            const std::size_t pixel = sights_[f.pixel[at]].owner;
+            for (std::size_t k = 0; k < light_classes; ++k) {
+                denoise::Half& sum = sums.light(k).halves[half];
+                add_to(sum.unshadowed, pixel, found_[at].unshadowed[k]);
+                add_to(sum.found, pixel, found_[at].found[k]);
+            }
+            add_to(sums.lights, pixel, found_[at].lights_found - found_[at].lights_unshadowed);
+            sums.seen[half][pixel] += 1.0f;
+        }
+    for (const WaveRay& sight : sights_)
+        sums.samples[sight.owner] += 1.0f;
+}
+
+void RayGatherer::fill(const TileArea& area, const Filling& filling, const Frame& frame)
+{
+    look(area, filling.sample, filling.spacing, frame);
+    if (sights_.empty())
+        return;
+    first_.send(seen_, sights_, filling.sample);
+    RayWave& met = first_.met();
+    soften_all(met);
+    second_.send(met, first_.lobes(), filling.sample);
+    light_of_hits(second_);
+    second_.collect(met, light_, found_);
+    const Fragments& f = met.fragments();
+    for (const Fragments::Group& group : f.groups)
+        for (std::size_t at = group.begin; at < group.end; ++at) {
+            if (f.weight[at] <= 0.0f)
+                continue;
+            CachedLight light{found_[at].unshadowed, found_[at].found};
+            light.unshadowed[diffuse_light] += found_[at].lights_unshadowed;
+            light.found[diffuse_light] += found_[at].lights_found;
+            filling.cache.add(point_of(met, at), light);
+        }
+}
+
+} // namespace lambent::draw

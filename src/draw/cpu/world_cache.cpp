@@ -1,0 +1,142 @@
+#include "draw/cpu/world_cache.h"
+
+#include "draw/cpu/random_points.h"
+
+#include <glm/common.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lambent::draw {
+namespace {
+
+// Cells of the first levels are places; those of the others are all points of an instance, and of the scene.
+constexpr int places = 3;
+
+// A cell with fewer points is used only if it is the widest.
+constexpr std::int64_t enough_points = 16;
+
+// Light of other surfaces can exceed the unshadowed light; by more than this it is kept as an amount, not as a ratio.
+constexpr float most_ratio = 4.0f;
+
+} // namespace
+
+WorldCache::WorldCache(const Sizes& sizes)
+    : table_(std::make_unique<Cell[]>(capacity)),
+      scale_(0x1p22 / static_cast<double>(std::max(sizes.unit, 1e-30f))), finest_side_(sizes.side)
+{
+}
+
+// Sides are powers of two, so that neighbours at slightly different distances share a cell.
+float WorldCache::side_at(float distance) const
+{
+    int exponent = 0;
+    std::frexp(std::max(distance, 1e-30f) * finest_side_, &exponent);
+    return std::ldexp(1.0f, exponent);
+}
+
+std::uint64_t WorldCache::key_of(const CachePoint& point, int level) const
+{
+    const auto kind = static_cast<std::uint32_t>(2 * level + (point.front ? 1 : 0));
+    if (level >= places)
+        return std::uint64_t{1} + hashed(level == places ? point.instance : 0u, kind);
+    const float side = side_at(point.distance) * static_cast<float>(1 << (2 * level));
+    const float turns = level == 0 ? 3.0f : 2.0f;
+    std::uint32_t low = hashed(point.instance, kind);
+    low = hashed(low, static_cast<std::uint32_t>(std::ilogb(side)));
+    std::uint32_t high = hashed(low, 0x5bd1e995u);
+    for (int axis = 0; axis < 3; ++axis) {
+        const double cell = std::floor(static_cast<double>(point.position[axis]) / static_cast<double>(side));
+        const auto place =
+            static_cast<std::uint32_t>(static_cast<std::int64_t>(std::clamp(cell, -0x1p40, 0x1p40)));
+        const auto turn = static_cast<std::uint32_t>(std::lround(point.normal[axis] * turns) + 8);
+        low = hashed(hashed(low, place), turn);
+        high = hashed(hashed(high, place), turn);
+    }
+    const std::uint64_t key = (std::uint64_t{high} << 32) | low;
+    return key == 0 ? 1 : key;
+}
+
+const WorldCache::Cell* WorldCache::find(std::uint64_t key) const
+{
+    for (std::size_t at = key % capacity;; at = (at + 1) % capacity) {
+        const std::uint64_t there = table_[at].key.load(std::memory_order_relaxed);
+        if (there == key)
+            return &table_[at];
+        if (there == 0)
+            return nullptr;
+    }
+}
+
+// Null where the cache is full.
+WorldCache::Cell* WorldCache::find_or_make(std::uint64_t key)
+{
+    for (std::size_t at = key % capacity;; at = (at + 1) % capacity) {
+        std::uint64_t there = table_[at].key.load(std::memory_order_relaxed);
+        if (there == 0) {
+            if (is_full())
+                return nullptr;
+            if (table_[at].key.compare_exchange_strong(there, key)) {
+                ++cells_;
+                return &table_[at];
+            }
+        }
+        if (there == key)
+            return &table_[at];
+    }
+}
+
+void WorldCache::add(Cell& cell, const CachedLight& light) const
+{
+    const auto fixed = [&](float value) {
+        const double scaled = static_cast<double>(value) * scale_;
+        return static_cast<std::int64_t>(std::isfinite(scaled) ? std::clamp(scaled, -0x1p44, 0x1p44) : 0.0);
+    };
+    for (std::size_t k = 0; k < light_classes; ++k)
+        for (std::size_t c = 0; c < 3; ++c) {
+            const int channel = static_cast<int>(c);
+            cell.sums[0][k][c].fetch_add(fixed(light.unshadowed[k][channel]), std::memory_order_relaxed);
+            cell.sums[1][k][c].fetch_add(fixed(light.found[k][channel]), std::memory_order_relaxed);
+        }
+    cell.points.fetch_add(1, std::memory_order_relaxed);
+}
+
+void WorldCache::add(const CachePoint& point, const CachedLight& light)
+{
+    for (int level = 0; level < levels; ++level)
+        if (Cell* const cell = find_or_make(key_of(point, level)))
+            add(*cell, light);
+}
+
+glm::vec3 WorldCache::light_of(const Cell& cell, const std::array<glm::vec3, light_classes>& light) const
+{
+    const double points = static_cast<double>(cell.points.load(std::memory_order_relaxed));
+    glm::vec3 sum(0.0f);
+    for (std::size_t k = 0; k < light_classes; ++k)
+        for (int c = 0; c < 3; ++c) {
+            const auto& sums = cell.sums;
+            const std::size_t channel = static_cast<std::size_t>(c);
+            const double unshadowed =
+                static_cast<double>(sums[0][k][channel].load(std::memory_order_relaxed));
+            const double found = static_cast<double>(sums[1][k][channel].load(std::memory_order_relaxed));
+            const double most = static_cast<double>(most_ratio) * std::max(unshadowed, 0.0);
+            const double ratio = unshadowed > 0.0 ? std::clamp(found, 0.0, most) / unshadowed : 0.0;
+            sum[c] += light[k][c] * static_cast<float>(ratio) +
+                      static_cast<float>(std::max(found - most, 0.0) / (points * scale_));
+        }
+    return sum;
+}
+
+glm::vec3 WorldCache::true_light(const CachePoint& point,
+                                 const std::array<glm::vec3, light_classes>& light) const
+{
+    for (int level = 0; level < levels; ++level) {
+        const Cell* const cell = find(key_of(point, level));
+        const std::int64_t points = cell ? cell->points.load(std::memory_order_relaxed) : 0;
+        if (points >= enough_points || (points > 0 && level == levels - 1))
+            return light_of(*cell, light);
+    }
+    return light[diffuse_light] + light[glossy_light];
+}
+
+} // namespace lambent::draw
