@@ -30,8 +30,9 @@ vec3 drawn_by_facets(Metallic m, ShinyPoint s, vec3 point)
     return normalize(frame * mirrored(facet.normal, view));
 }
 
-// Its density per solid angle, D G1 / (4 NV): [Heitz 2018, JCGT 7(4), eq. 17]. Its cosine of the facet has the rounding error of
-// brdf_metallic's, so that the ratio of the two is exact for the narrowest lobe. Witness: quadrature (tests/equations).
+// Its density per solid angle, D G1 / (4 NV), or 0 where the facet would look down: [Heitz 2018, JCGT 7(4), eq. 17]. Its cosine
+// of the facet has the rounding error of brdf_metallic's, so that the ratio of the two is exact for the narrowest lobe.
+// Witness: quadrature (tests/equations).
 Real density_by_facets(Metallic m, ShinyPoint s, vec3 L)
 {
     vec3 sum = L + s.view;
@@ -39,11 +40,12 @@ Real density_by_facets(Metallic m, ShinyPoint s, vec3 L)
     Real NV = dot(s.normal, s.view);
     if (has_stretch() != 0 && any_of(is_stretched(m.alpha))) {
         mat3 frame = facet_frame(m, s.normal);
-        return 0.5 * density_ggx(in_frame(frame, inverse * sum), m.alpha) /
-               (NV + smith_ggx(in_frame(frame, s.view), m.alpha));
+        vec3 H = in_frame(frame, inverse * sum);
+        Real stretched = 0.5 * density_ggx(H, m.alpha) / (NV + smith_ggx(in_frame(frame, s.view), m.alpha));
+        return select(H.z > 0.0, stretched, 0.0);
     }
     Real NH = clamp(dot(s.normal, sum) * inverse, 0.0, 1.0);
-    return 0.5 * density_ggx(NH, m.alpha.x) / (NV + smith_ggx(NV, m.alpha.x));
+    return select(NH > 0.0, 0.5 * density_ggx(NH, m.alpha.x) / (NV + smith_ggx(NV, m.alpha.x)), 0.0);
 }
 
 // The view mirrored by a facet of the report's distribution. It may lie below the horizon.
@@ -54,12 +56,13 @@ vec3 drawn_by_phong(Phong p, ShinyPoint s, vec3 point)
     return normalize(mirrored(orthonormal_frame(s.normal) * sample_phong(about, p.exponent), s.view));
 }
 
-// Its density per solid angle. Witness: quadrature (tests/equations).
+// Its density per solid angle. A facet that faces away from the view mirrors as from its back, to far below the horizon.
+// Witness: quadrature (tests/equations).
 Real density_by_phong(Phong p, ShinyPoint s, vec3 L)
 {
     vec3 sum = L + s.view;
     Real inverse = inversesqrt(max(dot(sum, sum), 1.0e-12));
-    Real NH = clamp(dot(s.normal, sum) * inverse, 1.0e-4, 1.0);
+    Real NH = clamp(abs(dot(s.normal, sum)) * inverse, 1.0e-4, 1.0);
     Real VH = max(dot(s.view, sum) * inverse, 1.0e-4);
     Real log2_density = log2((p.exponent + 1.0) * 0.15915494309189535) + p.exponent * log2(NH);
     return 0.25 * exp2(max(log2_density, -120.0)) / VH;

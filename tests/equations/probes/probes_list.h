@@ -84,3 +84,8 @@ PROBE(64, ggx_two, 1e-5, 1e-4, 1e-5, 1e-4)
 PROBE(65, ggx_two_sample, 3e-4, 1e-3, 3e-4, 1e-3)
 PROBE(66, energy_brdf_two, 1e-5, 3e-4, 1e-5, 3e-4)
 PROBE(67, shading_facets, 1e-5, 1e-5, 1e-5, 1e-5)
+PROBE(68, shading_drawn_cosine, 1e-5, 1e-5, 1e-5, 1e-5)
+// Facets as in ggx_sample, mirrored, and so turned twice as far.
+PROBE(69, shading_drawn_facets, 2e-5, 2e-4, 1e-4, 1e-3)
+PROBE(70, shading_drawn_facets_two, 2e-5, 2e-4, 1e-4, 1e-3)
+PROBE(71, shading_drawn_phong, 2e-5, 2e-4, 1e-4, 1e-3)

@@ -229,6 +229,48 @@ Outputs shading_ambient(Inputs i)
     return outputs(ambient_light(vec3(i.a, i.b, i.c), vec3(i.d, i.e, i.f), 2.0 * i.g), i.h);
 }
 
+// A point for drawing: (xi2, cos 2 pi xi1, sin 2 pi xi1).
+vec3 some_point(Inputs i)
+{
+    vec2 t = turn(i.g);
+    return vec3(0.001 + 0.9 * i.h, t.x, t.y);
+}
+
+// Densities are of a light above the horizon, away from where they jump.
+Outputs shading_drawn_facets_of(Inputs i, vec2 alpha)
+{
+    vec3 N = direction(i.a, i.b);
+    ShinyPoint s = {N, view_near(N, i), vec3(0.0), vec3(0.0)};
+    Metallic m = {vec3(i.e), i.f, alpha, mirrored(N, vec3(0.8, 0.0, 0.6)), 1.0};
+    vec3 L = normalize(N + 0.8 * direction(i.f, i.e));
+    vec3 x = facet_frame(m, N) * vec3(1.0, 0.0, 0.0);
+    return outputs(drawn_by_facets(m, s, some_point(i)), density_by_facets(m, s, L) + x.x);
+}
+
+Outputs shading_drawn_facets(Inputs i) { return shading_drawn_facets_of(i, vec2(0.1 + 0.9 * i.e)); }
+
+Outputs shading_drawn_facets_two(Inputs i)
+{
+    return shading_drawn_facets_of(i, vec2(0.1 + 0.9 * i.e, 0.1 + 0.9 * i.f));
+}
+
+Outputs shading_drawn_phong(Inputs i)
+{
+    vec3 N = direction(i.a, i.b);
+    ShinyPoint s = {N, view_near(N, i), vec3(0.0), vec3(0.0)};
+    Phong p = {vec3(i.e), vec3(i.f), decades(i.e, 0.5, 100.0)};
+    vec3 L = normalize(N + 0.8 * direction(i.f, i.e));
+    return outputs(drawn_by_phong(p, s, some_point(i)), density_by_phong(p, s, L));
+}
+
+Outputs shading_drawn_cosine(Inputs i)
+{
+    vec3 N = direction(i.a, i.b);
+    return outputs(drawn_by_cosine(N, some_point(i)),
+                   density_by_cosine(N, direction(i.c, i.d)) + luminance_of(vec3(i.d, i.e, i.f)) +
+                       variance_of_ray(0.1 + i.d, 1.0 + 3.0 * i.e));
+}
+
 SightRay some_sight(Inputs i)
 {
     SightRay s = {vec3(0.0, 0.0, 3.0),   vec3(0.002 * i.e, 0.0, 0.0),
