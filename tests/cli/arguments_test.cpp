@@ -310,6 +310,29 @@ TEST(Arguments, ABakesDefaultsAreTheContracts)
     EXPECT_NEAR(b.options.error, 0.02, 1e-12);
 }
 
+TEST(Arguments, BouncesGoWithWhatCanDrawThem)
+{
+    EXPECT_EQ(render({}).settings.bounces, 0);
+    EXPECT_EQ(render({}).settings.passes, 2);
+    const RenderArguments a = render({"--bounces", "8", "--passes", "5", "--backend", "cpu"});
+    EXPECT_EQ(a.settings.bounces, 8);
+    EXPECT_EQ(a.settings.passes, 5);
+    const auto why = [](std::initializer_list<const char*> words) {
+        std::vector<const char*> all = {"render", "sphere", "-o", "x.png"};
+        all.insert(all.end(), words);
+        return refusal(all);
+    };
+    EXPECT_NE(why({"--bounces", "1", "--backend", "vulkan"}).find("--backend cpu or --bounces 0"),
+              std::string::npos);
+    EXPECT_NE(why({"--passes", "3"}).find("--passes: only with --bounces"), std::string::npos);
+    EXPECT_NE(why({"--bounces", "1", "--ambient-brightness", "2"}).find("--ambient-brightness"),
+              std::string::npos);
+    EXPECT_NE(why({"--model", "phong", "--bounces", "1", "--mip-level", "report"}).find("--mip-level"),
+              std::string::npos);
+    EXPECT_NE(why({"--model", "phong", "--bounces", "1", "--pipeline", "report"}).find("--bounces"),
+              std::string::npos);
+}
+
 TEST(Arguments, NonsenseIsRefusedInOneLine)
 {
     EXPECT_NE(refusal({"frobnicate"}).find("frobnicate"), std::string::npos);

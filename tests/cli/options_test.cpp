@@ -161,7 +161,8 @@ TEST(Options, ArgumentsAreTakenFromTheirWordsAgain)
                 const Option& option = row.option;
                 if (option.name != "scene" && option.name != "model" && option.name != "camera-node" &&
                     option.name != "pipeline" && option.name != "camera" && option.name != "ibl" &&
-                    option.name != "no-audit" && applies(option.needs, asked))
+                    option.name != "no-audit" && option.name != "bounces" && option.name != "passes" &&
+                    applies(option.needs, asked))
                     row.value.set(asked, option, words_for(option).back());
             });
             asked.orbit = view::Orbit{0.1f, 0.2f, 3.0f};
@@ -179,6 +180,21 @@ TEST(Options, ArgumentsAreTakenFromTheirWordsAgain)
             EXPECT_EQ(taken.orbit->azimuth, 0.1f);
             EXPECT_EQ(taken.target, asked.target);
         }
+}
+
+TEST(Options, BouncesAreTakenFromTheirWordsAgain)
+{
+    RenderArguments asked;
+    asked.scene = "sphere";
+    asked.output = "a.png";
+    asked.settings.bounces = 8;
+    asked.settings.passes = 3;
+    Line line = {"render"};
+    for (const OptionWord& word : words_of(asked, command::render))
+        append(line, word);
+    const RenderArguments taken = std::get<RenderArguments>(parsed(line));
+    EXPECT_EQ(taken.settings.bounces, 8);
+    EXPECT_EQ(taken.settings.passes, 3);
 }
 
 TEST(Options, EveryControlIsAnOptionsWithinItsDomain)

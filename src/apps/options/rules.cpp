@@ -53,6 +53,10 @@ void check_bounces(const RenderArguments& arguments, const Given& given)
     refuse_if(bounces && arguments.backend == Backend::vulkan,
               "--backend vulkan: draws light without shadows only; use --backend cpu or --bounces 0");
     refuse_if(!bounces && given("passes"), "--passes: only with --bounces above 0");
+    refuse_if(bounces && arguments.settings.ambient_brightness != 1.0f,
+              "--ambient-brightness: not with --bounces: rays find the light that there is");
+    refuse_if(bounces && arguments.settings.mip_level == draw::MipLevel::report,
+              "--mip-level report: not with --bounces: the report has no shadows");
 }
 
 } // namespace

@@ -31,7 +31,7 @@ public:
     {
         const std::lock_guard lock(mutex_);
         ++done_;
-        if (go_on_ && !go_on_(static_cast<float>(done_) / static_cast<float>(all_)))
+        if (go_on_ && !go_on_(std::min(static_cast<float>(done_) / static_cast<float>(all_), 1.0f)))
             stopped_ = true;
     }
 

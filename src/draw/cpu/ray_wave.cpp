@@ -50,10 +50,12 @@ void RayWave::trace(const std::vector<WaveRay*>& rays, bool parallel)
         }
         packet_.near[i] = rays[i]->near;
     }
-    packet_.far = rays.empty() ? 0.0f : rays[0]->far;
+    packet_.far = 0.0f;
+    for (const WaveRay* ray : rays)
+        packet_.far = std::max(packet_.far, ray->far);
     picture_.scene.visibility().trace(packet_, hits_.data());
     for (std::size_t i = 0; i < rays.size(); ++i)
-        rays[i]->hit = hits_[i];
+        rays[i]->hit = hits_[i].distance > rays[i]->far ? Hit() : hits_[i];
 }
 
 // Keeps in `rays` those that pass through the surface that they met, moved behind it.
@@ -81,9 +83,9 @@ std::size_t RayWave::pass(std::vector<WaveRay*>& rays)
                     continue;
                 WaveRay* const ray = behind_veils[veils_.pixel[at]];
                 ray->seed = hashed(ray->seed, 1u);
-                if (!(unit_interval(ray->seed) <
-                      shown(*picture_.scene.surface(group.instance).material, veils_[column_opacity][at])))
-                    behind_veils[veils_.pixel[at]] = nullptr, rays[left + veiled++] = ray;
+                const scene::Material& material = *picture_.scene.surface(group.instance).material;
+                if (!(unit_interval(ray->seed) < shown(material, veils_[column_opacity][at])))
+                    rays[left + veiled++] = ray;
             }
     }
     rays.resize(left + veiled);

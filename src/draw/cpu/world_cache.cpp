@@ -19,6 +19,12 @@ constexpr std::int64_t enough_points = 16;
 // Light of other surfaces can exceed the unshadowed light; by more than this it is kept as an amount, not as a ratio.
 constexpr float most_ratio = 4.0f;
 
+bool is_finite(const CachePoint& point)
+{
+    const glm::vec3 sum = point.position + point.normal;
+    return std::isfinite(sum.x + sum.y + sum.z) && std::isfinite(point.distance);
+}
+
 } // namespace
 
 WorldCache::WorldCache(const Sizes& sizes)
@@ -103,6 +109,8 @@ void WorldCache::add(Cell& cell, const CachedLight& light) const
 
 void WorldCache::add(const CachePoint& point, const CachedLight& light)
 {
+    if (!is_finite(point))
+        return;
     for (int level = 0; level < levels; ++level)
         if (Cell* const cell = find_or_make(key_of(point, level)))
             add(*cell, light);
@@ -130,7 +138,7 @@ glm::vec3 WorldCache::light_of(const Cell& cell, const std::array<glm::vec3, lig
 glm::vec3 WorldCache::true_light(const CachePoint& point,
                                  const std::array<glm::vec3, light_classes>& light) const
 {
-    for (int level = 0; level < levels; ++level) {
+    for (int level = is_finite(point) ? 0 : places; level < levels; ++level) {
         const Cell* const cell = find(key_of(point, level));
         const std::int64_t points = cell ? cell->points.load(std::memory_order_relaxed) : 0;
         if (points >= enough_points || (points > 0 && level == levels - 1))

@@ -165,7 +165,7 @@ LampRay no_lamp_ray(Real pick)
 }
 
 // The choice among the sources so far and one more, by one random number. [reservoir sampling: Chao 1982]
-// Witness: frequencies of the choices (tests/draw).
+// Witness: frequencies of the choices, and what they bring (tests/draw).
 LampRay or_lamp(LampRay ray, vec3 direction, Real distance, TwoParts light)
 {
     Real size = luminance_of(light.diffuse + light.glossy);
