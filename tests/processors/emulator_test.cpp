@@ -45,6 +45,17 @@ TEST_P(Emulated, DrawsThePicture)
     }
 }
 
+TEST_P(Emulated, DrawsShadows)
+{
+    const Values light = shop_.light(emulated(GetParam()));
+    ASSERT_FALSE(light.empty());
+    const double far = distance(light, shop_.light({}));
+    std::printf("light: %.2e apart\n", far);
+    if (is_exact(GetParam())) {
+        EXPECT_LT(far, 0.01); // as between instruction sets
+    }
+}
+
 TEST_P(Emulated, Traces)
 {
     const Values trace = shop_.trace(emulated(GetParam()));

@@ -37,6 +37,16 @@ TEST_P(InstructionSets, DrawWhatTheOldestDraws)
     EXPECT_LT(far, rounding);
 }
 
+// Rounding decides here and there which lamp a ray goes to, and which blur the filter takes.
+TEST_P(InstructionSets, ShadeWhatTheOldestShades)
+{
+    const Values light = Workshop().light(limited_to(GetParam()));
+    const double far = distance(light, first().light);
+    std::printf("light: %.2e apart, %.4f beyond\n", far, share_beyond(light, first().light, 1e-3));
+    EXPECT_LT(far, 0.01);
+    EXPECT_LT(share_beyond(light, first().light, 1e-3), 0.1);
+}
+
 // Traced in double but for the hits, which Embree rounds: values move by 1e-6, and only where a ray passes an edge so near
 // does a path go another way.
 TEST_P(InstructionSets, TraceWhatTheOldestTraces)

@@ -33,6 +33,11 @@ TEST_F(Memcheck, APictureUsesNothingUninitialised)
     expect_clean("render", "picture.exr");
 }
 
+TEST_F(Memcheck, ShadowsUseNothingUninitialised)
+{
+    expect_clean("light", "light.exr");
+}
+
 TEST_F(Memcheck, ATraceUsesNothingUninitialised)
 {
     expect_clean("reference", "trace.exr");

@@ -61,38 +61,59 @@ Workshop::Workshop()
 
 std::vector<std::string> Workshop::words(const std::string& command, const std::string& output) const
 {
-    const std::string light = path("light.hdr"), to = path(output);
+    const std::string panorama_file = path("light.hdr"), to = path(output);
     if (command == "bake")
-        return {"bake",         light, "-o",       to,    "--size",    "8",   "--lut",  "8",
-                "--irradiance", "4",   "--format", "exr", "--backend", "cpu", "--quiet"};
-    std::vector<std::string> words = {command,     "report", "--env",     light,       "--size",
-                                      size,        "-o",     to,          "--threads", "1",
-                                      "--density", "0.1",    "--backend", "cpu",       "--quiet"};
-    if (command == "render")
+        return {"bake",         panorama_file, "-o",       to,    "--size",    "8",   "--lut",  "8",
+                "--irradiance", "4",           "--format", "exr", "--backend", "cpu", "--quiet"};
+    const bool light_too = command == "light";
+    std::vector<std::string> words = {light_too ? "render" : command,
+                                      "report",
+                                      "--env",
+                                      panorama_file,
+                                      "--size",
+                                      size,
+                                      "-o",
+                                      to,
+                                      "--threads",
+                                      "1",
+                                      "--density",
+                                      "0.1",
+                                      "--backend",
+                                      "cpu",
+                                      "--quiet"};
+    if (light_too)
+        words.insert(words.end(), {"--bounces", "3", "--passes", "1", "--no-audit"});
+    if (light_too || command == "render")
         words.insert(words.end(), {"--no-cache", "--samples", "8"});
     else
         words.insert(words.end(), {"--spp", "1", "--bounces", "2"});
     return words;
 }
 
-Values Workshop::picture(const Runner& runner) const
+// The picture that a command writes.
+Values Workshop::written(const Runner& runner, const std::string& command) const
 {
-    const testing::Outcome outcome = run(runner, words("render", "picture.exr"));
+    const testing::Outcome outcome = run(runner, words(command, command + ".exr"));
     EXPECT_EQ(outcome.code, 0) << outcome.error;
     Values values;
     if (outcome.code == 0)
-        append(path("picture.exr"), values);
+        append(path(command + ".exr"), values);
     return values;
+}
+
+Values Workshop::picture(const Runner& runner) const
+{
+    return written(runner, "render");
+}
+
+Values Workshop::light(const Runner& runner) const
+{
+    return written(runner, "light");
 }
 
 Values Workshop::trace(const Runner& runner) const
 {
-    const testing::Outcome outcome = run(runner, words("reference", "trace.exr"));
-    EXPECT_EQ(outcome.code, 0) << outcome.error;
-    Values values;
-    if (outcome.code == 0)
-        append(path("trace.exr"), values);
-    return values;
+    return written(runner, "reference");
 }
 
 Values Workshop::bake(const Runner& runner) const

@@ -64,10 +64,10 @@ void RayGatherer::light_unshadowed(RayWave& wave)
     }
 }
 
-void RayGatherer::soften_all(RayWave& wave)
+void RayGatherer::soften_all(RayWave& wave) const
 {
     for (const Fragments::Group& group : wave.fragments().groups)
-        soften(group.begin, group.end, wave.fragments());
+        soften(picture_.settings.model, group.begin, group.end, wave.fragments());
 }
 
 std::array<glm::vec3, light_classes> RayGatherer::unshadowed_light(const Fragments& f, std::size_t at) const

@@ -37,7 +37,7 @@ public:
 private:
     void look(const TileArea& area, std::uint32_t sample, int spacing, const Frame& frame);
     void light_unshadowed(RayWave& wave);
-    static void soften_all(RayWave& wave);
+    void soften_all(RayWave& wave) const;
     CachePoint point_of(const RayWave& wave, std::size_t at) const;
     std::array<glm::vec3, light_classes> unshadowed_light(const Fragments& f, std::size_t at) const;
     void light_of_hits(RayStep& step);

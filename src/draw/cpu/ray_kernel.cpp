@@ -112,17 +112,20 @@ HWY_INLINE void soften_lobe(const Fragment& f, int number, int alpha)
 
 } // namespace
 
-HWY_FLATTEN void soften(size_t begin, size_t end, Fragments& fragments)
+HWY_FLATTEN void soften(Model model, size_t begin, size_t end, Fragments& fragments)
 {
+    const bool phong = model == Model::phong, layers = takes_layers(phong ? model_phong : model_ggx) != 0;
     for (size_t at = begin; at < end; at += lane_count) {
         const Fragment f = fragment(fragments, at);
 #define LAYER(name, number, texture)                                                                         \
-    if (any_of(load(f, column_##name) > 0.0))                                                                \
+    if (layers && any_of(load(f, column_##name) > 0.0))                                                      \
         soften_lobe(f, number, column_##name##_alpha);
 #include "shading/lobes/layers.h"
-        store(f, column_exponent,
-              phong_exponent(alpha_in_pixel(phong_alpha(load(f, column_exponent)),
-                                            load_shine(f, 0).mirrored_dx, load_shine(f, 0).mirrored_dy)));
+        const ShinyPoint s = load_shine(f, 0);
+        if (phong)
+            store(f, column_exponent,
+                  phong_exponent(
+                      alpha_in_pixel(phong_alpha(load(f, column_exponent)), s.mirrored_dx, s.mirrored_dy)));
         soften_lobe(f, 0, column_alpha);
     }
 }
@@ -147,9 +150,9 @@ namespace lambent::draw {
 HWY_EXPORT(soften);
 HWY_EXPORT(choose_rays);
 
-void soften(std::size_t begin, std::size_t end, Fragments& fragments)
+void soften(Model model, std::size_t begin, std::size_t end, Fragments& fragments)
 {
-    HWY_DYNAMIC_DISPATCH(soften)(begin, end, fragments);
+    HWY_DYNAMIC_DISPATCH(soften)(model, begin, end, fragments);
 }
 
 void choose_rays(const LightContext& context, const RayChoice& choice, std::size_t begin, std::size_t end,

@@ -23,6 +23,6 @@ void choose_rays(const LightContext& context, const RayChoice& choice, std::size
 /// Widens the lobes of the fragments [begin, end) by what their footprints mirror, and makes the footprints points: the rays
 /// of a surface that was itself met by a ray of a wide lobe need not resolve more. [Kaplanyan and Dachsbacher 2013, "Path
 /// space regularization for holistic and robust light transport"]
-void soften(std::size_t begin, std::size_t end, Fragments& fragments);
+void soften(Model model, std::size_t begin, std::size_t end, Fragments& fragments);
 
 } // namespace lambent::draw
