@@ -50,6 +50,13 @@ vec3 turned(Environment e, vec3 d)
     return vec3(c * d.x - s * d.z, d.y, s * d.x + c * d.z);
 }
 
+vec3 in_world(Environment e, vec3 d)
+{
+    float c = picture.rotation.x;
+    float s = picture.rotation.y;
+    return vec3(c * d.x + s * d.z, d.y, c * d.z - s * d.x);
+}
+
 vec3 environment_irradiance(Environment e, vec3 d) { return picture.maps.x * textureLod(irradiance_map, d, 0.0).rgb; }
 
 int background_of(Environment e) { return picture.behind.x; }

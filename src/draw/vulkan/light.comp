@@ -16,6 +16,7 @@ int levels_of(Environment e) { return levels; }
 
 #include "shading/all.glsl"
 #include "shading/light_passes.glsl"
+#include "shading/ray_pass.glsl" // not used yet: devices trace no rays
 
 Arrival arrival_at(LightRecord light, vec3 point)
 {
