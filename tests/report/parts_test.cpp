@@ -40,8 +40,8 @@ TEST(Shot, WordsAreWhatTheCommandLineTakes)
     const cli::RenderArguments arguments = parse_render({"sphere", "--model", "phong", "--alpha", "20"});
     EXPECT_EQ(arguments.scene, "sphere");
     EXPECT_EQ(arguments.builtin.exponent, 20.0f);
-    EXPECT_EQ(parse_reference({"sphere", "--bounces", "0"}).picture.bounces, 0);
-    EXPECT_THROW(parse_render({"sphere", "--bounces", "0"}), Error);
+    EXPECT_EQ(parse_reference({"sphere", "--spp", "4"}).samples, 4);
+    EXPECT_THROW(parse_render({"sphere", "--spp", "4"}), Error);
 }
 
 TEST(Shot, NumbersAreRounded)
