@@ -57,7 +57,7 @@ RayOrigin ray_origin(Environment e, Fragment f)
 }
 
 // The density per solid angle of directions that drawn_ray draws.
-Real density_of_rays(Environment e, RayOrigin o, vec3 L)
+ONE_BODY Real density_of_rays(Environment e, RayOrigin o, vec3 L)
 {
     Real density = o.diffuse * density_by_cosine(o.receiver.shiny.normal, L);
 #define BASE(name, number, layered)                                                               \
@@ -100,7 +100,7 @@ vec3 drawn_ray(Environment e, RayOrigin o, Real pick, vec3 point)
 }
 
 // Arriving light that the fragment reflects to the viewer, in its two parts.
-TwoParts reflected_parts(Environment e, Receiver r, Arrival a)
+ONE_BODY TwoParts reflected_parts(Environment e, Receiver r, Arrival a)
 {
     vec3 all = direct_light(e, r, a);
     vec3 irradiance = max(dot(r.shiny.normal, a.direction), 0.0) * a.illuminance;
@@ -129,7 +129,7 @@ struct LobeRay {
 };
 
 // The ray without the environment's radiance.
-LobeRay dark_lobe_ray(Environment e, RayOrigin o, vec3 direction)
+ONE_BODY LobeRay dark_lobe_ray(Environment e, RayOrigin o, vec3 direction)
 {
     Real density = density_of_rays(e, o, direction);
     Mask there = density > 1.0e-6;
