@@ -88,8 +88,16 @@ CachePoint RayGatherer::point_of(const RayWave& wave, std::size_t at) const
     return point;
 }
 
-// Light that each ray of a step brings from the surface that it met.
-void RayGatherer::light_of_hits(RayStep& step)
+// Light that a surface emits along the ray that met it. Culled backs of one-sided surfaces emit nothing.
+glm::vec3 RayGatherer::emitted(const RayWave& wave, std::size_t at) const
+{
+    const Hit& hit = wave.rays()[wave.fragments().pixel[at]].hit;
+    const bool culled = !hit.front && picture_.scene.culls_back(hit.instance);
+    return culled ? glm::vec3(0.0f) : three(wave.fragments(), column_emissive, at);
+}
+
+// Light that each ray of a step brings from the surface that it met; without a cache, only what that emits.
+void RayGatherer::light_of_hits(RayStep& step, const WorldCache* cache)
 {
     RayWave& met = step.met();
     light_unshadowed(met);
@@ -101,12 +109,9 @@ void RayGatherer::light_of_hits(RayStep& step)
                 continue;
             glm::vec3& light = light_[f.pixel[at]];
             const std::array<glm::vec3, light_classes> unshadowed = unshadowed_light(f, at);
-            if (cache_)
-                light = cache_->true_light(point_of(met, at), unshadowed);
-            const bool culled =
-                !step.lobes()[f.pixel[at]].hit.front && picture_.scene.culls_back(group.instance);
-            if (!culled)
-                light += three(f, column_emissive, at);
+            if (cache)
+                light = cache->true_light(point_of(met, at), unshadowed);
+            light += emitted(met, at);
         }
 }
 
@@ -135,7 +140,8 @@ void RayGatherer::follow(std::uint32_t sample)
     soften_all(near_);
     second_.send(near_, further_, sample);
     near_light_.swap(light_);
-    light_of_hits(second_);
+    // The rays are a bounce of their own: with two in all, what they meet is lit by nothing.
+    light_of_hits(second_, picture_.settings.bounces > 2 ? cache_ : nullptr);
     second_.collect(near_, light_, found_);
     near_light_.swap(light_);
     const Fragments& f = near_.fragments();
@@ -143,7 +149,7 @@ void RayGatherer::follow(std::uint32_t sample)
         for (std::size_t at = group.begin; at < group.end; ++at) {
             if (f.weight[at] <= 0.0f)
                 continue;
-            light_[further_[f.pixel[at]].owner] = three(f, column_emissive, at) + found_[at].lights_found +
+            light_[further_[f.pixel[at]].owner] = emitted(near_, at) + found_[at].lights_found +
                                                   found_[at].found[diffuse_light] +
                                                   found_[at].found[glossy_light];
         }
@@ -155,7 +161,7 @@ void RayGatherer::gather(const TileArea& area, std::uint32_t sample, const Frame
     if (sights_.empty())
         return;
     first_.send(seen_, sights_, sample);
-    light_of_hits(first_);
+    light_of_hits(first_, cache_);
     if (cache_)
         follow(sample);
     first_.collect(seen_, light_, found_);
@@ -187,7 +193,7 @@ void RayGatherer::fill(const TileArea& area, const Filling& filling, const Frame
     RayWave& met = first_.met();
     soften_all(met);
     second_.send(met, first_.lobes(), filling.sample);
-    light_of_hits(second_);
+    light_of_hits(second_, cache_);
     second_.collect(met, light_, found_);
     const Fragments& f = met.fragments();
     for (const Fragments::Group& group : f.groups)

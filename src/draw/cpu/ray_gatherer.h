@@ -40,7 +40,8 @@ private:
     void soften_all(RayWave& wave) const;
     CachePoint point_of(const RayWave& wave, std::size_t at) const;
     std::array<glm::vec3, light_classes> unshadowed_light(const Fragments& f, std::size_t at) const;
-    void light_of_hits(RayStep& step);
+    glm::vec3 emitted(const RayWave& wave, std::size_t at) const;
+    void light_of_hits(RayStep& step, const WorldCache* cache);
     bool asks_further(const RayWave& met, std::size_t at) const;
     void follow(std::uint32_t sample);
 
