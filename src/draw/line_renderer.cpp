@@ -56,6 +56,8 @@ public:
     }
 
     Frame take() override { return drawing_->take(); }
+    void refine(int passes) override { drawing_->refine(passes); }
+    Frame picture() const override { return drawing_->picture(); }
 
 private:
     LineRenderer& renderer_;

@@ -1,6 +1,18 @@
 #include "draw/renderer.h"
 
+#include "base/error.h"
+
 namespace lambent::draw {
+
+void Drawing::refine(int)
+{
+    throw Error(Failure::usage, "a picture without bounces of light cannot be refined");
+}
+
+Frame Drawing::picture() const
+{
+    throw Error(Failure::usage, "a picture without bounces of light can only be taken");
+}
 
 Frame Renderer::draw(const environment::Environment* environment, const Settings& settings,
                      const std::function<void(float)>& progress)

@@ -26,8 +26,15 @@ public:
     /// between. Exceptions from `go_on` are passed on; the drawing is then unusable.
     virtual bool advance(const GoOn& go_on) = 0;
 
-    /// Moves the complete picture out; to be called once.
+    /// Moves the complete picture out; to be called once, and last.
     virtual Frame take() = 0;
+
+    /// Lets advance() go on with `passes` more rounds of rays, 1 or more, after a complete picture with bounces. Then it is
+    /// the picture of Settings::passes and these, to the byte. Throws Error(usage) without bounces.
+    virtual void refine(int passes);
+
+    /// A copy of a complete picture that will be refined. Throws Error(usage) without bounces.
+    virtual Frame picture() const;
 };
 
 /// Draws a scene, prepared once, any number of times and in other poses.

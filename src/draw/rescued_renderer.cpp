@@ -72,6 +72,10 @@ public:
 
     Frame take() override { return drawing_->take(); }
 
+    // Devices draw without bounces: a drawing that can be refined is the fallback's.
+    void refine(int passes) override { present().refine(passes); }
+    Frame picture() const override { return drawing_->picture(); }
+
 private:
     Drawing& present()
     {

@@ -325,6 +325,12 @@ TEST(Arguments, BouncesGoWithWhatCanDrawThem)
     EXPECT_NE(why({"--bounces", "1", "--backend", "vulkan"}).find("--backend cpu or --bounces 0"),
               std::string::npos);
     EXPECT_NE(why({"--passes", "3"}).find("--passes: only with --bounces"), std::string::npos);
+    EXPECT_NE(why({"--error", "0.1"}).find("--error: only with --bounces"), std::string::npos);
+    EXPECT_NE(why({"--time", "3"}).find("--time: only with --bounces"), std::string::npos);
+    EXPECT_NE(why({"--bounces", "1", "--passes", "3", "--time", "3"}).find("--passes"), std::string::npos);
+    EXPECT_NE(why({"--bounces", "1", "--passes", "3", "--error", "0.1"}).find("--passes"), std::string::npos);
+    EXPECT_NE(why({"--bounces", "1", "--error", "0.1", "--no-audit"}).find("--no-audit"), std::string::npos);
+    EXPECT_EQ(render({"--bounces", "1", "--error", "0.1", "--time", "5"}).seconds, 5.0);
     EXPECT_NE(why({"--bounces", "1", "--ambient-brightness", "2"}).find("--ambient-brightness"),
               std::string::npos);
     EXPECT_NE(why({"--model", "phong", "--bounces", "1", "--mip-level", "report"}).find("--mip-level"),

@@ -65,6 +65,30 @@ TEST(Audit, PicturesWithBouncesAreAuditedUnlessTheyAreNot)
     EXPECT_EQ(content(folder.path("b.png")).find("lambent.error"), std::string::npos);
 }
 
+// The picture, with the error in its file, is that of the command that names its passes.
+TEST(Audit, AnErrorThatIsAskedForIsReached)
+{
+    const Folder folder;
+    const nlohmann::json stats = stats_of(drawn(
+        folder.path("a.png"), {"--bounces", "2", "--error", "0.035", "--background", "none"}, "report"));
+    EXPECT_GT(stats["error"]["relative_rmse"], 0.0);
+    EXPECT_LE(stats["error"]["relative_rmse"], 0.035);
+    const std::string passes = std::to_string(stats["passes"].get<int>());
+    EXPECT_GT(stats["passes"].get<int>(), 2);
+    drawn(folder.path("b.png"), {"--bounces", "2", "--passes", passes, "--background", "none"}, "report");
+    EXPECT_EQ(content(folder.path("a.png")), content(folder.path("b.png")));
+}
+
+TEST(Audit, TimeIsSpentOnPassesThatAreTold)
+{
+    const Folder folder;
+    const nlohmann::json stats =
+        stats_of(drawn(folder.path("a.png"), {"--bounces", "2", "--time", "0.5"}, "report"));
+    const std::string passes = std::to_string(stats["passes"].get<int>());
+    drawn(folder.path("b.png"), {"--bounces", "2", "--passes", passes}, "report");
+    EXPECT_EQ(content(folder.path("a.png")), content(folder.path("b.png")));
+}
+
 TEST(Audit, EveryFormatCarriesTheSameNumbers)
 {
     const Folder folder;

@@ -201,6 +201,43 @@ TEST(Shadows, AreTheSameInPiecesAndOnAnyNumberOfThreads)
     EXPECT_EQ(drawing->take().radiance.values, wanted.radiance.values);
 }
 
+// Each picture on the way is that of as many passes at once, and the last as well.
+TEST(Shadows, ARefinedPictureIsThatOfAllItsPasses)
+{
+    const scene::Scene scene = pose_scene(0.0f);
+    const environment::Environment white = white_environment();
+    Settings settings = pose_settings();
+    settings.bounces = 2;
+    const auto at_once = [&](int passes) {
+        Settings all = settings;
+        all.passes = passes;
+        return draw(scene, &white, all).radiance.values;
+    };
+    const std::unique_ptr<Renderer> renderer = make_cpu_renderer(scene);
+    settings.passes = 1;
+    const std::unique_ptr<Drawing> drawing = renderer->start(&white, settings);
+    ASSERT_TRUE(drawing->advance({}));
+    EXPECT_EQ(drawing->picture().radiance.values, at_once(1));
+    drawing->refine(2);
+    while (!drawing->advance([](float) { return false; }))
+        ;
+    EXPECT_EQ(drawing->picture().radiance.values, at_once(3));
+    EXPECT_NE(drawing->picture().radiance.values, at_once(1));
+    drawing->refine(1);
+    ASSERT_TRUE(drawing->advance({}));
+    EXPECT_EQ(drawing->take().radiance.values, at_once(4));
+}
+
+TEST(Shadows, APictureWithoutBouncesIsNotRefined)
+{
+    const scene::Scene scene = pose_scene(0.0f);
+    const std::unique_ptr<Renderer> renderer = make_cpu_renderer(scene);
+    const std::unique_ptr<Drawing> drawing = renderer->start(nullptr, pose_settings());
+    ASSERT_TRUE(drawing->advance({}));
+    EXPECT_THROW(drawing->refine(1), Error);
+    EXPECT_THROW(drawing->picture(), Error);
+}
+
 TEST(Shadows, LayersOfLightAddUpToThePicture)
 {
     const environment::Environment white = white_environment();

@@ -6,6 +6,7 @@
 #include "apps/common/picture_audit.h"
 #include "apps/common/picture_file.h"
 #include "apps/common/picture_setup.h"
+#include "apps/common/refined_picture.h"
 #include "apps/common/stats.h"
 #include "apps/common/stopwatch.h"
 #include "apps/common/threads.h"
@@ -51,15 +52,63 @@ std::optional<audit::Error> measured(const RenderArguments& arguments, const sce
 {
     std::optional<audit::Error> error;
     try {
-        error = measured_error(arguments, scene, picture);
+        error = PictureAudit(arguments, scene).error_of(picture, 0);
     } catch (const Error& failure) {
         if (failure.failure() != Failure::no_device)
             throw;
         console.warn({text("the picture's error is not measured: ", failure.what())});
     }
-    if (error)
-        console.remark(in_words(*error));
     return error;
+}
+
+struct Drawn {
+    draw::Frame frame;
+    int passes;
+    std::optional<audit::Error> error; ///< unset: not measured yet
+};
+
+// Refines the picture until it is as good as asked or the time is over.
+Drawn draw_refined(const RenderArguments& arguments, const scene::Scene& scene,
+                   std::unique_ptr<draw::Drawing> drawing, int passes, Console& console)
+{
+    const RefineLimits limits{arguments.error, arguments.seconds};
+    std::optional<PictureAudit> audit;
+    if (limits.error)
+        audit.emplace(arguments, scene);
+    RefinedPicture refined = refined_picture(
+        std::move(drawing), passes, limits,
+        [&](const image::RadianceImage& picture, std::uint32_t number) {
+            return audit->error_of(picture, number);
+        },
+        [&](float done, const std::optional<audit::Error>& error) {
+            console.progress(done, error ? in_words(*error) : "");
+        });
+    console.end_progress();
+    if (limits.error && refined.error && refined.error->relative_rmse > *limits.error) {
+        console.warn({text("--error: ", *limits.error, " is not reached after ", refined.passes,
+                           " passes: ", in_words(*refined.error))});
+        refined.error.reset(); // it was measured on the way, not at the end
+    }
+    console.remark(text("--passes ", refined.passes, " draws the same picture"));
+    return {std::move(refined.frame), refined.passes, refined.error};
+}
+
+Drawn draw(const RenderArguments& arguments, const scene::Scene& scene,
+           const environment::Environment* environment, draw::Renderer& renderer, Console& console)
+{
+    draw::Settings settings = arguments.settings;
+    settings.camera = choose_camera(arguments, scene);
+    settings.lights = lights_asked(arguments, scene.origin);
+    settings.layers = !arguments.layers.empty();
+    settings.white = 1.0f / arguments.display.exposure;
+    if (arguments.seconds)
+        settings.passes = 1;
+    if (arguments.error || arguments.seconds)
+        return draw_refined(arguments, scene, renderer.start(environment, settings), settings.passes,
+                            console);
+    draw::Frame frame = renderer.draw(environment, settings, [&](float done) { console.progress(done); });
+    console.end_progress();
+    return {std::move(frame), settings.passes, {}};
 }
 
 void write(const RenderArguments& arguments, const draw::Frame& frame, const InputFiles& inputs,
@@ -98,32 +147,32 @@ void run(const RenderArguments& arguments)
     console.remark(text(arguments.scene, ": ", scene::triangle_count(scene), " triangles, ",
                         scene.materials.size(), " materials, ", scene.images.size(), " textures"));
 
-    draw::Settings settings = arguments.settings;
-    settings.camera = choose_camera(arguments, scene);
-    settings.lights = lights_asked(arguments, scene.origin);
-    settings.layers = !arguments.layers.empty();
-    settings.white = 1.0f / arguments.display.exposure;
-    const Backend backend = settings.bounces > 0 ? Backend::cpu : arguments.backend;
+    const Backend backend = arguments.settings.bounces > 0 ? Backend::cpu : arguments.backend;
     const std::unique_ptr<draw::Renderer> renderer = make_renderer(
         {backend, arguments.cache, [&](const std::string& line) { console.warn({line}); }}, scene);
-    const draw::Frame frame = renderer->draw(loaded.environment ? &*loaded.environment : nullptr, settings,
-                                             [&](float done) { console.progress(done); });
-    console.end_progress();
+    const Drawn drawn =
+        draw(arguments, scene, loaded.environment ? &*loaded.environment : nullptr, *renderer, console);
     watch.lap("draw");
     std::optional<audit::Error> error;
     if (is_audited(arguments)) {
-        error = measured(arguments, scene, frame.radiance, console);
+        error = drawn.error;
+        if (!error)
+            error = measured(arguments, scene, drawn.frame.radiance, console);
+        if (error)
+            console.remark(in_words(*error));
         watch.lap("audit");
     }
-    write(arguments, frame, inputs, error ? notes_of(*error) : image::Notes());
+    write(arguments, drawn.frame, inputs, error ? notes_of(*error) : image::Notes());
     watch.lap("write");
     console.remark(text("wrote ", arguments.output));
     if (arguments.common.stats_json) {
         nlohmann::ordered_json stats = describe(arguments, scene, *renderer);
+        if (arguments.settings.bounces > 0)
+            stats["passes"] = drawn.passes;
         if (is_audited(arguments))
             stats["error"] = error ? to_json(*error) : nlohmann::ordered_json(nullptr);
         stats["environment_cached"] = loaded.cached;
-        for (const auto& [pass, milliseconds] : frame.passes)
+        for (const auto& [pass, milliseconds] : drawn.frame.passes)
             stats["device_ms"][pass] = milliseconds;
         add_cost(watch, stats);
         print(stats);

@@ -24,19 +24,27 @@ std::string in_percent(double share)
 
 } // namespace
 
-std::optional<audit::Error> measured_error(const RenderArguments& arguments, const scene::Scene& scene,
-                                           const image::RadianceImage& picture)
+PictureAudit::PictureAudit(const RenderArguments& arguments, const scene::Scene& scene)
 {
     ReferenceArguments asked;
     asked.picture = arguments;
     asked.picture.bounces = arguments.settings.bounces;
     const reference::Settings truth = reference_settings(asked, scene);
     Warnings repeated; // by the reader of the environment that was drawn
-    const std::optional<image::RadianceImage> panorama =
-        load_raw_environment(arguments.environment, repeated);
+    panorama_ = load_raw_environment(arguments.environment, repeated);
+    cut_ = truth.cut;
+    tracer_ = std::make_unique<reference::PixelTracer>(scene, panorama_ ? &*panorama_ : nullptr, truth);
+}
+
+std::optional<audit::Error> PictureAudit::error_of(const image::RadianceImage& picture,
+                                                   std::uint32_t number) const
+{
     audit::Settings settings;
-    settings.cut = truth.cut;
-    return audit::measure(scene, panorama ? &*panorama : nullptr, truth, picture, settings);
+    settings.cut = cut_;
+    settings.seed = number;
+    return audit::measure(picture, settings, [&](const reference::PixelTracer::Pixel& pixel) {
+        return tracer_->estimate(pixel);
+    });
 }
 
 std::string in_words(const audit::Error& error)

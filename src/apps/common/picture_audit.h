@@ -4,20 +4,35 @@
 #include "apps/options/arguments.h"
 #include "audit/audit.h"
 #include "image/notes.h"
+#include "reference/pixel_tracer.h"
 #include "scene/scene.h"
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
 namespace lambent::cli {
 
-/// The error of the picture (RGBA before exposure) that was drawn with `arguments`, against `lambent reference` with as
-/// many bounces. Light is cut where a display shows it white. Loads the panorama again: that which pictures are drawn
-/// from is packed. Returns nothing where nothing is seen (audit::measure). Throws Error(bad_input), Error(no_device).
-std::optional<audit::Error> measured_error(const RenderArguments& arguments, const scene::Scene& scene,
-                                           const image::RadianceImage& picture);
+/// Measures errors of pictures that were drawn with `arguments` of a scene, against `lambent reference` with as many
+/// bounces. Light is cut where a display shows it white.
+class PictureAudit {
+public:
+    /// Loads the panorama again: that which pictures are drawn from is packed. `scene` must outlive it. Throws
+    /// Error(bad_input), Error(no_device).
+    PictureAudit(const RenderArguments& arguments, const scene::Scene& scene);
+
+    /// The error of a picture (RGBA before exposure); nothing where nothing is seen (audit::measure). Measurements with
+    /// different numbers are independent.
+    std::optional<audit::Error> error_of(const image::RadianceImage& picture, std::uint32_t number) const;
+
+private:
+    std::optional<image::RadianceImage> panorama_;
+    double cut_;
+    std::unique_ptr<reference::PixelTracer> tracer_; ///< uses panorama_, and is why this is not copied
+};
 
 /// "error 3.1 % (2.7 to 3.6)"
 std::string in_words(const audit::Error& error);

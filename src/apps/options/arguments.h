@@ -46,6 +46,8 @@ struct RenderArguments {
     int bounces = 8;               ///< of light, in path tracing; of the drawing: settings.bounces
     bool audit = true;             ///< measure the picture's error if it is drawn with bounces
     bool audit_always = false;     ///< measure it without bounces too
+    std::optional<double> error;   ///< drawing: refine until the measured error is at most this
+    std::optional<double> seconds; ///< drawing: refine for so long
     std::string shown = "picture"; ///< in viewers: the picture, the reference, the error or a layer
     std::optional<view::Orbit> orbit; ///< unset: the default view, or camera_node
     std::optional<glm::dvec3>

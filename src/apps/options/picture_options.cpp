@@ -204,6 +204,16 @@ Group<A> render_group()
              .at([](auto& a) -> auto& { return a.settings.passes; })
              .says("Rounds of rays; only with --bounces above 0",
                    "rounds of rays, each of two samples of every pixel; only with `--bounces` above 0"),
+         R("error", "REL", number(1e-4, 1.0))
+             .at([](auto& a) -> auto& { return a.error; })
+             .says("Add rounds of rays until the measured error is at most REL",
+                   "add rounds of rays until [the measured error](AUDIT.md) is at most REL; only with "
+                   "`--bounces` above 0"),
+         R("time", "S", above_zero())
+             .at([](auto& a) -> auto& { return a.seconds; })
+             .says("Add rounds of rays for S seconds of drawing",
+                   "add rounds of rays for S seconds of drawing, one at least; reading files and the last "
+                   "measurement of the error are not counted; only with `--bounces` above 0"),
          R("no-audit")
              .at([](auto& a) -> auto& { return a.audit; })
              .says("Do not measure the picture's error", "do not measure the picture's error. A picture with "

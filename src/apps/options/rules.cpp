@@ -52,7 +52,11 @@ void check_bounces(const RenderArguments& arguments, const Given& given)
     const bool bounces = arguments.settings.bounces > 0;
     refuse_if(bounces && arguments.backend == Backend::vulkan,
               "--backend vulkan: draws light without shadows only; use --backend cpu or --bounces 0");
-    refuse_if(!bounces && given("passes"), "--passes: only with --bounces above 0");
+    for (const char* const name : {"passes", "error", "time"})
+        refuse_if(!bounces && given(name), "--", name, ": only with --bounces above 0");
+    refuse_if(given("passes") && (given("error") || given("time")),
+              "--passes: not with --error or --time, which choose the number of passes");
+    refuse_if(given("error") && given("no-audit"), "--error: not with --no-audit: the error is measured");
     refuse_if(bounces && arguments.settings.ambient_brightness != 1.0f,
               "--ambient-brightness: not with --bounces: rays find the light that there is");
     refuse_if(bounces && arguments.settings.mip_level == draw::MipLevel::report,
@@ -98,7 +102,8 @@ void settle(RenderArguments& arguments, const Given& given)
 
 void settle(ReferenceArguments& arguments, const Given& given)
 {
-    settle(arguments.picture, given);
+    check_view(arguments.picture, given);
+    derive(arguments.picture);
     refuse_if(arguments.picture.backend == Backend::vulkan,
               "--backend vulkan: references are path-traced on the CPU only");
     refuse_if(!arguments.variance.empty() && arguments.samples == 1,

@@ -32,10 +32,10 @@ std::string contents_html(const std::vector<Chapter>& chapters, bool has_facts)
         if (!chapter.figure_ids.empty()) {
             html += "\n<ol role=\"list\">";
             for (std::size_t i = 0; i < chapter.figure_ids.size(); ++i)
-                html +=
-                    "<li>" +
-                    link(chapter.figure_ids[i].id, chapter.figure_ids[i].number, chapter.section->figures[i].title) +
-                    "</li>\n";
+                html += "<li>" +
+                        link(chapter.figure_ids[i].id, chapter.figure_ids[i].number,
+                             chapter.section->figures[i].title) +
+                        "</li>\n";
             html += "</ol>";
         }
         html += "</li>\n";

@@ -124,7 +124,28 @@ public:
         return complete;
     }
 
-    Frame take() override { return std::move(frame_); }
+    Frame take() override
+    {
+        if (full_light_)
+            full_light_->apply(frame_);
+        return std::move(frame_);
+    }
+
+    void refine(int passes) override
+    {
+        if (!full_light_)
+            Drawing::refine(passes);
+        full_light_->refine(passes);
+    }
+
+    Frame picture() const override
+    {
+        if (!full_light_)
+            return Drawing::picture();
+        Frame copy = frame_;
+        full_light_->apply(copy);
+        return copy;
+    }
 
 private:
     // Draws the picture without shadows.
@@ -139,7 +160,7 @@ private:
     CpuRenderer& renderer_;
     const Settings settings_;
     const PreparedPicture prepared_;
-    Frame frame_;
+    Frame frame_; ///< without shadows
     Tiles tiles_;
     std::unique_ptr<FullLight> full_light_; ///< null without bounces
     int done_ = 0;                          ///< tiles, over all stages

@@ -1,6 +1,7 @@
 #include "draw/cpu/full_light.h"
 
 #include "denoise/light_filter.h"
+#include "draw/cpu/random_points.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -17,9 +18,6 @@ constexpr int most_rounds = 5;
 
 // Camera rays of a round that fills the cache, at least, and of the last one.
 constexpr double rays_of_round = 20000.0, rays_of_last_round = 60000.0;
-
-// Numbers of samples that no pixel reaches, for the rounds.
-constexpr std::uint32_t first_round_sample = 0x10000;
 
 // Samples of a pixel in a pass, one of each half.
 constexpr std::uint32_t samples_of_pass = 2;
@@ -50,7 +48,7 @@ float mean_of_covered(const Frame& frame)
 
 FullLight::FullLight(const Settings& settings)
     : settings_(settings), sums_(settings.width, settings.height), tiles_(settings.width, settings.height),
-      rounds_(std::clamp(settings.bounces - 1, 0, most_rounds))
+      rounds_(std::clamp(settings.bounces - 1, 0, most_rounds)), passes_(settings.passes)
 {
 }
 
@@ -69,7 +67,7 @@ bool FullLight::fill_round(const PictureContext& picture, const ForTiles& for_ti
     if (!next_)
         next_ = std::make_unique<WorldCache>(sizes_);
     const RayGatherer::Filling filling{*next_, spacing(round_ + 1 == rounds_),
-                                       first_round_sample + static_cast<std::uint32_t>(round_)};
+                                       first_sample_of_cache + static_cast<std::uint32_t>(round_)};
     tbb::enumerable_thread_specific<RayGatherer> gatherers(
         [&] { return RayGatherer(picture, known_.get()); });
     for_tiles(tiles_, [&](int tile) { gatherers.local().fill(tiles_.area(tile), filling, frame); });
@@ -100,7 +98,7 @@ bool FullLight::fill_cache(const PictureContext& picture, const ForTiles& for_ti
 
 bool FullLight::gather(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame)
 {
-    for (; pass_ < settings_.passes; ++pass_) {
+    for (; pass_ < passes_; ++pass_) {
         tbb::enumerable_thread_specific<RayGatherer> gatherers(
             [&] { return RayGatherer(picture, known_.get()); });
         for_tiles(tiles_, [&](int tile) {
@@ -115,10 +113,8 @@ bool FullLight::gather(const PictureContext& picture, const ForTiles& for_tiles,
     return true;
 }
 
-// Replaces the light without shadows by the light that was found, in the picture and in its layers.
-void FullLight::finish(Frame& frame)
+void FullLight::apply(Frame& frame) const
 {
-    make_means(sums_);
     const denoise::Filtered filtered = denoise::filter_light(sums_.picture, {settings_.white});
     const denoise::Picture& known = sums_.picture;
     const auto width = static_cast<std::size_t>(settings_.width);
@@ -138,7 +134,7 @@ void FullLight::finish(Frame& frame)
             const glm::vec3 changes[] = {
                 covered * (at(filtered.diffuse.light, pixel) - at(known.diffuse.exact, pixel)),
                 covered * (at(filtered.specular.light, pixel) - at(known.specular.exact, pixel)),
-                at(sums_.lights, pixel)};
+                at(sums_.lights, pixel) / std::max(sums_.samples[pixel], 1.0f)};
             float* const out = frame.radiance.pixel(x, y);
             for (std::size_t i = 0; i < 3; ++i) {
                 add_to_pixel(out, changes[i]);
@@ -151,12 +147,11 @@ void FullLight::finish(Frame& frame)
     });
 }
 
-bool FullLight::advance(const PictureContext& picture, const ForTiles& for_tiles, Frame& frame)
+bool FullLight::advance(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame)
 {
-    if (!fill_cache(picture, for_tiles, frame) || !gather(picture, for_tiles, frame))
-        return false;
-    finish(frame);
-    return true;
+    if (!std::exchange(guided_, true))
+        make_means(sums_);
+    return fill_cache(picture, for_tiles, frame) && gather(picture, for_tiles, frame);
 }
 
 } // namespace lambent::draw

@@ -13,7 +13,7 @@
 namespace lambent::draw {
 
 /// Finds the light in stages, each over all tiles: rounds that fill the cache, each with the light that the one before
-/// knew, so that each adds a bounce; then rays from what the camera sees; at last the filter. May be stopped between tiles.
+/// knew, so that each adds a bounce; then rays from what the camera sees. May be stopped between tiles.
 class FullLight {
 public:
     explicit FullLight(const Settings& settings);
@@ -24,25 +24,32 @@ public:
     /// Calls its second argument for every tile that is not done, in parallel, and marks it done; may leave some.
     using ForTiles = std::function<void(Tiles&, const std::function<void(int)>&)>;
 
-    /// Goes on from where it was stopped, over `frame`, the picture without shadows. Returns whether the picture is
-    /// complete; it must then not be called again.
-    bool advance(const PictureContext& picture, const ForTiles& for_tiles, Frame& frame);
+    /// Goes on from where it was stopped. `frame`: the picture without shadows, complete. Returns whether all rays have
+    /// been traced.
+    bool advance(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame);
+
+    /// Asks for more passes.
+    void refine(int passes) { passes_ += passes; }
+
+    /// Once all rays have been traced: filters what they found, and puts it in the place of the light without shadows in
+    /// `frame` and in its layers.
+    void apply(Frame& frame) const;
 
     /// Calls of for_tiles' second argument for each tile, over all stages.
-    int stages() const { return rounds_ + settings_.passes; }
+    int stages() const { return rounds_ + passes_; }
 
 private:
     bool fill_round(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame);
     bool fill_cache(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame);
     bool gather(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame);
-    void finish(Frame& frame);
     int spacing(bool last) const;
 
     const Settings& settings_;
     LightSums sums_;
     Tiles tiles_;
-    int rounds_;               ///< that fill the cache
+    int rounds_, passes_;      ///< asked for: rounds fill the cache, passes leave what the camera sees
     int round_ = 0, pass_ = 0; ///< the current ones
+    bool guided_ = false;      ///< whether the sums of the picture without shadows are means
     WorldCache::Sizes sizes_;
     std::unique_ptr<WorldCache> known_, next_; ///< of the last round, and of this
 };

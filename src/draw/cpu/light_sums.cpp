@@ -37,16 +37,8 @@ void make_mean(LightSums& sums, std::size_t pixel)
     scale(guides.normal, pixel, inverse(length));
     guides.depth[pixel] = std::max(guides.depth[pixel], 1e-30f);
     scale(sums.picture.diffuse.albedo, pixel, covered);
-    for (std::size_t k = 0; k < light_classes; ++k) {
+    for (std::size_t k = 0; k < light_classes; ++k)
         scale(sums.light(k).exact, pixel, covered);
-        for (std::size_t h = 0; h < 2; ++h) {
-            const float seen = inverse(sums.seen[h][pixel]);
-            scale(sums.light(k).halves[h].unshadowed, pixel, seen);
-            scale(sums.light(k).halves[h].found, pixel, seen);
-        }
-    }
-    scale(sums.lights, pixel, inverse(sums.samples[pixel]));
-    sums.picture.count[pixel] = std::max(sums.seen[0][pixel] + sums.seen[1][pixel], 2.0f);
 }
 
 } // namespace
@@ -57,9 +49,10 @@ LightSums::LightSums(int width, int height)
     picture.height = height;
     const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
     denoise::Guides& guides = picture.guides;
-    for (denoise::Plane* const plane : {&guides.coverage, &guides.depth, &guides.alpha, &guides.metalness,
-                                        &picture.count, &samples, &seen[0], &seen[1]})
+    for (denoise::Plane* const plane :
+         {&guides.coverage, &guides.depth, &guides.alpha, &guides.metalness, &samples, &seen[0], &seen[1]})
         plane->assign(pixels, 0.0f);
+    picture.count.assign(pixels, 2.0f);
     clear(guides.normal, pixels);
     clear(picture.diffuse.albedo, pixels);
     clear(lights, pixels);
@@ -67,6 +60,19 @@ LightSums::LightSums(int width, int height)
         clear(light(k).exact, pixels);
         for (denoise::Half& half : light(k).halves)
             clear(half.unshadowed, pixels), clear(half.found, pixels);
+    }
+}
+
+void LightSums::add(std::size_t pixel, std::size_t half, const RayLight& found)
+{
+    float& count = seen[half][pixel];
+    count += 1.0f;
+    picture.count[pixel] = std::max(seen[0][pixel] + seen[1][pixel], 2.0f);
+    const float share = 1.0f / count;
+    for (std::size_t k = 0; k < light_classes; ++k) {
+        denoise::Half& mean = light(k).halves[half];
+        add_to(mean.unshadowed, pixel, share * (found.unshadowed[k] - at(mean.unshadowed, pixel)));
+        add_to(mean.found, pixel, share * (found.found[k] - at(mean.found, pixel)));
     }
 }
 

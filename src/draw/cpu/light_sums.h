@@ -23,11 +23,12 @@ inline glm::vec3 at(const denoise::Rgb& planes, std::size_t pixel)
     return {planes[0][pixel], planes[1][pixel], planes[2][pixel]};
 }
 
-/// Sums over the surfaces that pixels show and over the rays that leave them.
+/// What is known of the surfaces that pixels show, and what the rays that leave them found.
 struct LightSums {
-    denoise::Picture picture;
-    denoise::Rgb lights;    ///< light of sources without size as it is, less what it would be without shadows
-    denoise::Plane samples; ///< camera rays
+    denoise::Picture picture; ///< guides, exact light and albedo: sums, until make_means(); halves: means
+    denoise::Rgb
+        lights; ///< sum of the light of sources without size as it is, less what it would be without shadows
+    denoise::Plane samples;             ///< camera rays
     std::array<denoise::Plane, 2> seen; ///< camera rays of each half that met a surface
 
     /// Sums of zero.
@@ -37,9 +38,13 @@ struct LightSums {
     {
         return light_class == diffuse_light ? picture.diffuse : picture.specular;
     }
+
+    /// Adds what the rays of a sample found to the means of one half. These are means at all times, so that the filter
+    /// can be asked for a picture after any pass.
+    void add(std::size_t pixel, std::size_t half, const RayLight& found);
 };
 
-/// Turns sums into means over the covered part of each pixel, as the filter takes them.
+/// Turns the sums over the surfaces of a pixel into means over its covered part, as the filter takes them.
 void make_means(LightSums& sums);
 
 } // namespace lambent::draw

@@ -15,6 +15,9 @@ inline std::uint32_t hashed(std::uint32_t a, std::uint32_t b)
     return (state >> 22) ^ state;
 }
 
+/// Samples from this number on fill the cache; no pixel of a picture has as many.
+constexpr std::uint32_t first_sample_of_cache = 0x10000;
+
 /// A number in [0, 1) from a 32-bit fraction.
 inline float unit_interval(std::uint32_t fraction)
 {

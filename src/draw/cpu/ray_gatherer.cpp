@@ -172,13 +172,8 @@ void RayGatherer::gather(const TileArea& area, std::uint32_t sample, const Frame
             if (f.weight[at] <= 0.0f)
                 continue;
             const std::size_t pixel = sights_[f.pixel[at]].owner;
-            for (std::size_t k = 0; k < light_classes; ++k) {
-                denoise::Half& sum = sums.light(k).halves[half];
-                add_to(sum.unshadowed, pixel, found_[at].unshadowed[k]);
-                add_to(sum.found, pixel, found_[at].found[k]);
-            }
+            sums.add(pixel, half, found_[at]);
             add_to(sums.lights, pixel, found_[at].lights_found - found_[at].lights_unshadowed);
-            sums.seen[half][pixel] += 1.0f;
         }
     for (const WaveRay& sight : sights_)
         sums.samples[sight.owner] += 1.0f;

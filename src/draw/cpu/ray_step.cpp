@@ -16,8 +16,14 @@ namespace {
 constexpr std::size_t first_of_rays = 2;
 constexpr int random_columns = lobe_way - random_lobe;
 
-// Rays that share the environment's light around a point: their blurs cover the sphere together.
-constexpr float rays_together = 4.0f;
+// Rays that share the environment's light around a point: their blurs cover the sphere together. Each blur is an error,
+// which no number of such rays takes away: where a pixel has had more rays, those that follow read less of it.
+float rays_together(std::uint32_t sample)
+{
+    constexpr float at_first = 4.0f, at_last = 64.0f;
+    return sample < first_sample_of_cache ? std::min(at_first + 0.5f * static_cast<float>(sample), at_last)
+                                          : at_first;
+}
 
 // Origin of rays that leave a surface point, offset so that they do not meet the point's own triangle: floats of its
 // position are exact to 2^-24.
@@ -28,9 +34,9 @@ glm::vec3 start_beside(const glm::vec3& position, const glm::vec3& towards)
 }
 
 // The width of a box with the variance of the part of the sphere that a ray stands for.
-float spread_of(float density)
+float spread_of(float density, float rays)
 {
-    const float variance = 0.0796f / (rays_together * density);
+    const float variance = 0.0796f / (rays * density);
     return std::min(std::sqrt(12.0f * variance), 1.0f);
 }
 
@@ -57,7 +63,7 @@ glm::vec3 normal_towards(const WaveRay& ray)
 void RayStep::choose(RayWave& from, const std::vector<WaveRay>& rays, std::uint32_t sample)
 {
     Fragments& f = from.fragments();
-    const RayChoice choice{picture_.prepared.lights, rays_together};
+    const RayChoice choice{picture_.prepared.lights, rays_};
     for (const Fragments::Group& group : f.groups) {
         for (std::size_t at = group.begin; at < group.end; ++at)
             for (int i = 0; i < random_columns; ++i)
@@ -85,7 +91,7 @@ void RayStep::make_rays(const RayWave& from, std::size_t at, const WaveRay& befo
     if (!is_dark(f, lamp_diffuse, at))
         add(lamp_way, lamps_);
     if (const float density = f[lobe_density][at]; density > 0.0f && !is_dark(f, lobe_diffuse, at)) {
-        ray.spread = spread_of(density);
+        ray.spread = spread_of(density, rays_);
         add(lobe_way, lobes_);
     }
     if (const float distance = f[light_distance][at]; distance > 0.0f) {
@@ -96,6 +102,7 @@ void RayStep::make_rays(const RayWave& from, std::size_t at, const WaveRay& befo
 
 void RayStep::send(RayWave& from, const std::vector<WaveRay>& rays, std::uint32_t sample)
 {
+    rays_ = rays_together(sample);
     choose(from, rays, sample);
     const Fragments& f = from.fragments();
     lobes_.clear(), lamps_.clear(), lights_.clear();

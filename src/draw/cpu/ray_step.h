@@ -10,14 +10,6 @@
 
 namespace lambent::draw {
 
-/// What the rays of one fragment found.
-struct RayLight {
-    /// The environment's light as if nothing were in its way, and as it is, with the light of what stops rays.
-    std::array<glm::vec3, light_classes> unshadowed{}, found{};
-    /// The same of the scene's lights, which have no size.
-    glm::vec3 lights_unshadowed{0.0f}, lights_found{0.0f};
-};
-
 /// Sends rays from fragments: one along a direction of a lobe, one to a lamp of the environment, one to a light of the
 /// scene. Reuses its buffers from call to call.
 class RayStep {
@@ -42,6 +34,7 @@ private:
 
     const PictureContext& picture_;
     RayWave met_;
+    float rays_ = 1.0f;                           ///< that share the environment's light around a point
     std::vector<WaveRay> lobes_, lamps_, lights_; ///< owner: the fragment that they leave
     std::vector<std::uint8_t> lamp_blocked_, light_blocked_;
 };
