@@ -25,8 +25,8 @@ cli::RenderArguments arguments_of(const ErrorCase& c, int width)
     const std::string size = text(width, "x", width * 9 / 16);
     const std::vector<const char*> words = {
         "lambent", "render",     c.scene.c_str(), "--env",         c.environment.c_str(),
-        "--size",  size.c_str(), "--model",       c.model.c_str(), "-o",
-        "x.exr"};
+        "--size",  size.c_str(), "--model",       c.model.c_str(), "--bounces",
+        "0",       "-o",         "x.exr"};
     return std::get<cli::RenderArguments>(cli::parse_arguments(static_cast<int>(words.size()), words.data()));
 }
 

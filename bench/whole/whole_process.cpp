@@ -48,10 +48,13 @@ void compare(const testing::Folder& folder, const std::string& size, int rounds)
     const std::string panorama = folder.path(size + ".hdr"), out = folder.path("out.png");
     testing::run_program(LAMBENT_PROGRAM, {"env", "studio", "-o", panorama, "--size", size});
     const bool rival = have_f3d();
-    Runs ours, f3d;
+    Runs ours, light, f3d;
     for (int round = 0; round < rounds; ++round) {
-        ours.add(testing::run_program(LAMBENT_PROGRAM,
-                                      {"render", "grid", "--env", panorama, "-o", out, "--threads", "2"}));
+        ours.add(testing::run_program(LAMBENT_PROGRAM, {"render", "grid", "--bounces", "0", "--env", panorama,
+                                                        "-o", out, "--threads", "2"}));
+        if (round < 3)
+            light.add(testing::run_program(LAMBENT_PROGRAM, {"render", "grid", "--no-audit", "--env",
+                                                             panorama, "-o", out, "--threads", "2"}));
         if (rival && round < 3)
             f3d.add(testing::run_program("xvfb-run",
                                          {"-a", "f3d", "--dry-run", "--quiet", "--resolution=1280,720",
@@ -60,6 +63,8 @@ void compare(const testing::Folder& folder, const std::string& size, int rounds)
     }
     std::printf("%s panorama\n", size.c_str());
     ours.print("lambent");
+    light.print("all light");
+    std::printf("  times      %8.2f\n", bench::median(light.seconds) / bench::median(ours.seconds));
     if (rival) {
         f3d.print("F3D");
         std::printf("  ratio      %8.3f\n", bench::median(ours.seconds) / bench::median(f3d.seconds));

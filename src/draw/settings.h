@@ -36,7 +36,10 @@ struct Settings : view::Picture {
         0; ///< of light: 0: direct light without shadows; 1: with shadows; more: from surface to surface
     int passes = 2;     ///< with bounces: rounds of rays, two samples of each pixel each; 1 to 4096
     float white = 1.0f; ///< with bounces: radiance that is shown as white; errors above it count less
-    int samples = 40;   ///< of the specular lobe, 1 to 65536
+    /// With bounces of light: takes what a picture drawn before by the same renderer knew of the light from surface to surface,
+    /// whatever its camera, lights and pose, instead of finding it. For views that move: the picture depends on that one.
+    bool keeps_known_light = false;
+    int samples = 40; ///< of the specular lobe, 1 to 65536
     MipLevel mip_level = MipLevel::matched;
     float ambient_brightness = 1.0f; ///< factor on the diffuse light of the environment; 2 in the report
     std::optional<ReportPipeline> pipeline; ///< unset: radiance is added up, and tone-mapped at the end

@@ -312,7 +312,8 @@ TEST(Arguments, ABakesDefaultsAreTheContracts)
 
 TEST(Arguments, BouncesGoWithWhatCanDrawThem)
 {
-    EXPECT_EQ(render({}).settings.bounces, 0);
+    EXPECT_EQ(render({}).settings.bounces, 8);
+    EXPECT_EQ(render({"--bounces", "0"}).settings.bounces, 0);
     EXPECT_EQ(render({}).settings.passes, 2);
     const RenderArguments a = render({"--bounces", "8", "--passes", "5", "--backend", "cpu"});
     EXPECT_EQ(a.settings.bounces, 8);
@@ -322,11 +323,19 @@ TEST(Arguments, BouncesGoWithWhatCanDrawThem)
         all.insert(all.end(), words);
         return refusal(all);
     };
-    EXPECT_NE(why({"--bounces", "1", "--backend", "vulkan"}).find("--backend cpu or --bounces 0"),
+    for (const std::initializer_list<const char*>& words :
+         {std::initializer_list<const char*>{"--bounces", "1", "--backend", "vulkan"},
+          {"--backend", "vulkan"}})
+        EXPECT_NE(why(words).find("--backend cpu or --bounces 0"), std::string::npos);
+    // What only the report draws is without shadows, as the report is.
+    EXPECT_EQ(render({"--ambient-brightness", "2"}).settings.bounces, 0);
+    EXPECT_EQ(render({"--model", "phong", "--mip-level", "report"}).settings.bounces, 0);
+    EXPECT_EQ(render({"--model", "phong", "--pipeline", "report"}).settings.bounces, 0);
+    EXPECT_NE(why({"--bounces", "0", "--passes", "3"}).find("--passes: only with --bounces"),
               std::string::npos);
-    EXPECT_NE(why({"--passes", "3"}).find("--passes: only with --bounces"), std::string::npos);
-    EXPECT_NE(why({"--error", "0.1"}).find("--error: only with --bounces"), std::string::npos);
-    EXPECT_NE(why({"--time", "3"}).find("--time: only with --bounces"), std::string::npos);
+    EXPECT_NE(why({"--bounces", "0", "--error", "0.1"}).find("--error: only with --bounces"),
+              std::string::npos);
+    EXPECT_NE(why({"--bounces", "0", "--time", "3"}).find("--time: only with --bounces"), std::string::npos);
     EXPECT_NE(why({"--bounces", "1", "--passes", "3", "--time", "3"}).find("--passes"), std::string::npos);
     EXPECT_NE(why({"--bounces", "1", "--passes", "3", "--error", "0.1"}).find("--passes"), std::string::npos);
     EXPECT_NE(why({"--bounces", "1", "--error", "0.1", "--no-audit"}).find("--no-audit"), std::string::npos);

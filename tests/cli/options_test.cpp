@@ -187,13 +187,13 @@ TEST(Options, BouncesAreTakenFromTheirWordsAgain)
     RenderArguments asked;
     asked.scene = "sphere";
     asked.output = "a.png";
-    asked.settings.bounces = 8;
+    asked.bounces = 3;
     asked.settings.passes = 3;
     Line line = {"render"};
     for (const OptionWord& word : words_of(asked, command::render))
         append(line, word);
     const RenderArguments taken = std::get<RenderArguments>(parsed(line));
-    EXPECT_EQ(taken.settings.bounces, 8);
+    EXPECT_EQ(taken.settings.bounces, 3);
     EXPECT_EQ(taken.settings.passes, 3);
 }
 

@@ -83,6 +83,8 @@ std::vector<std::string> Workshop::words(const std::string& command, const std::
                                       "--quiet"};
     if (light_too)
         words.insert(words.end(), {"--bounces", "3", "--passes", "1", "--no-audit"});
+    else if (command == "render")
+        words.insert(words.end(), {"--bounces", "0"});
     if (light_too || command == "render")
         words.insert(words.end(), {"--no-cache", "--samples", "8"});
     else

@@ -62,7 +62,7 @@ check() {
 render() {
     picture=$1
     shift
-    check render "$@" --backend "$backend" --no-cache --size 320x180 -o "$picture"
+    check render "$@" --bounces 0 --backend "$backend" --no-cache --size 320x180 -o "$picture"
 }
 
 for scene in grid report teapot sphere plane painted furnace; do

@@ -44,7 +44,8 @@ void write(const image::CodeImage& picture, const std::filesystem::path& path)
 
 TEST_F(ViewWindow, LooksAsInTheDocumentation)
 {
-    open({"teapot", "--env-rotation", "50", "--light", "directional:-60,35,2,1.6,1.2", "--size", "1280x720"});
+    open({"teapot", "--env-rotation", "50", "--light", "directional:-60,35,2,1.6,1.2", "--size", "1280x720",
+          "--bounces", "8"});
     look();
     // From under the panel, by the right button.
     act({"mousemove", "450", "300",       "sleep", "0.1", "mousedown", "3",

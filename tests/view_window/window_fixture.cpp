@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -42,8 +43,10 @@ void ViewWindow::start(const std::vector<std::string>& words, const std::string&
     program_ = std::make_unique<Running>(all, path("view.log"));
 }
 
-void ViewWindow::open(const std::vector<std::string>& words, const std::string& folder)
+void ViewWindow::open(std::vector<std::string> words, const std::string& folder)
 {
+    if (std::find(words.begin(), words.end(), "--bounces") == words.end())
+        words.insert(words.end(), {"--bounces", "0"});
     start(words, folder);
     ASSERT_TRUE(desktop_->act({"search", "--sync", "--onlyvisible", "--name", "lambent"})) << log();
     act({"search", "--name", "lambent", "windowfocus"});

@@ -34,7 +34,8 @@ protected:
     /// The program's words after "view". Its settings are in the desktop's folder, and it runs there or in one below.
     void start(const std::vector<std::string>& words, const std::string& folder = ".");
     /// And waits until its window is there and has the keys.
-    void open(const std::vector<std::string>& words, const std::string& folder = ".");
+    /// Without bounces of light unless the words say otherwise, so that the picture comes to rest.
+    void open(std::vector<std::string> words, const std::string& folder = ".");
 
     void act(const std::vector<std::string>& words) const;
     void press(const char* key) const { act({"key", key}); }

@@ -100,7 +100,6 @@ Drawn draw(const RenderArguments& arguments, const scene::Scene& scene,
     settings.camera = choose_camera(arguments, scene);
     settings.lights = lights_asked(arguments, scene.origin);
     settings.layers = !arguments.layers.empty();
-    settings.white = 1.0f / arguments.display.exposure;
     if (arguments.seconds)
         settings.passes = 1;
     if (arguments.error || arguments.seconds)

@@ -36,13 +36,15 @@ PictureAudit::PictureAudit(const RenderArguments& arguments, const scene::Scene&
     tracer_ = std::make_unique<reference::PixelTracer>(scene, panorama_ ? &*panorama_ : nullptr, truth);
 }
 
-std::optional<audit::Error> PictureAudit::error_of(const image::RadianceImage& picture,
-                                                   std::uint32_t number) const
+std::optional<audit::Error> PictureAudit::error_of(const image::RadianceImage& picture, std::uint32_t number,
+                                                   const std::function<void()>& before_each) const
 {
     audit::Settings settings;
     settings.cut = cut_;
     settings.seed = number;
     return audit::measure(picture, settings, [&](const reference::PixelTracer::Pixel& pixel) {
+        if (before_each)
+            before_each();
         return tracer_->estimate(pixel);
     });
 }

@@ -10,6 +10,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,8 +26,9 @@ public:
     PictureAudit(const RenderArguments& arguments, const scene::Scene& scene);
 
     /// The error of a picture (RGBA before exposure); nothing where nothing is seen (audit::measure). Measurements with
-    /// different numbers are independent.
-    std::optional<audit::Error> error_of(const image::RadianceImage& picture, std::uint32_t number) const;
+    /// different numbers are independent. `before_each`, if set, is called often, by any thread, and may throw to end it.
+    std::optional<audit::Error> error_of(const image::RadianceImage& picture, std::uint32_t number,
+                                         const std::function<void()>& before_each = {}) const;
 
 private:
     std::optional<image::RadianceImage> panorama_;

@@ -62,13 +62,14 @@ image::CodeImage picture_codes(const image::RadianceImage& picture, const displa
 }
 
 std::vector<std::uint8_t> picture_bytes(const image::RadianceImage& picture, const display::Settings& display,
-                                        bool transparent, const std::filesystem::path& path)
+                                        bool transparent, const std::filesystem::path& path,
+                                        const image::Notes& notes)
 {
     const bool png = image::file_kind(path) == image::FileKind::png;
     if (!png && image::file_kind(path) != image::FileKind::jpeg)
         throw Error(Failure::usage, text(path.string(), ": a displayed picture is written as .png or .jpg"));
     const image::CodeImage codes = picture_codes(picture, display, transparent && png);
-    return png ? image::encode_png(codes) : image::encode_jpeg(codes);
+    return png ? image::encode_png(codes, {}, notes) : image::encode_jpeg(codes, {}, notes);
 }
 
 } // namespace lambent::cli

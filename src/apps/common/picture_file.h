@@ -27,6 +27,7 @@ image::CodeImage picture_codes(const image::RadianceImage& picture, const displa
 
 /// The bytes that write_picture writes into a .png or .jpg. Throws Error(usage) for any other extension.
 std::vector<std::uint8_t> picture_bytes(const image::RadianceImage& picture, const display::Settings& display,
-                                        bool transparent, const std::filesystem::path& path);
+                                        bool transparent, const std::filesystem::path& path,
+                                        const image::Notes& notes = {});
 
 } // namespace lambent::cli

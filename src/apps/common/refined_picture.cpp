@@ -86,8 +86,8 @@ private:
         const double now = square(error_->relative_rmse);
         double noise = now * passes_;
         if (before && measured_passes_ < passes_)
-            noise = std::clamp((square(before->relative_rmse) - now) / (1.0 / measured_passes_ - 1.0 / passes_), 0.0,
-                               noise);
+            noise = std::clamp(
+                (square(before->relative_rmse) - now) / (1.0 / measured_passes_ - 1.0 / passes_), 0.0, noise);
         const double bias = now - noise / passes_, left = square(*limits_.error) - bias;
         needed_ = left > 0.0 ? noise / left : 0.0;
         measured_passes_ = passes_;
@@ -104,7 +104,8 @@ private:
             more = most_passes;
         if (limits_.seconds)
             more = std::min(more, passes_in_time());
-        return static_cast<int>(std::clamp(std::ceil(more - 1e-9), 0.0, static_cast<double>(most_passes - passes_)));
+        return static_cast<int>(
+            std::clamp(std::ceil(more - 1e-9), 0.0, static_cast<double>(most_passes - passes_)));
     }
 
     // Before a pass was timed alone one is tried. The filter, and what is yet unknown, take about another pass.

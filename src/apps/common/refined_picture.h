@@ -18,8 +18,9 @@ struct RefineLimits {
 
 struct RefinedPicture {
     draw::Frame frame;
-    int passes = 0;                    ///< rounds of rays: draw::Settings::passes of the same picture
-    std::optional<audit::Error> error; ///< by measurement 0 if it is good enough, else by another; unset: none was made
+    int passes = 0; ///< rounds of rays: draw::Settings::passes of the same picture
+    std::optional<audit::Error>
+        error; ///< by measurement 0 if it is good enough, else by another; unset: none was made
 };
 
 /// Measures the error of a picture (RGBA before exposure). Measurements with different numbers are independent. May

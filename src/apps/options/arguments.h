@@ -41,14 +41,14 @@ struct RenderArguments {
     std::string output;
     std::string layers; ///< folder; empty: none
     draw::Settings settings;
-    bool split_sum = false;        ///< specular light by draw::split_sum_samples, not the settings' samples
-    bool report_pipeline = false;  ///< draw as draw::ReportPipeline
-    int bounces = 8;               ///< of light, in path tracing; of the drawing: settings.bounces
-    bool audit = true;             ///< measure the picture's error if it is drawn with bounces
-    bool audit_always = false;     ///< measure it without bounces too
-    std::optional<double> error;   ///< drawing: refine until the measured error is at most this
-    std::optional<double> seconds; ///< drawing: refine for so long
-    std::string shown = "picture"; ///< in viewers: the picture, the reference, the error or a layer
+    bool split_sum = false;       ///< specular light by draw::split_sum_samples, not the settings' samples
+    bool report_pipeline = false; ///< draw as draw::ReportPipeline
+    int bounces = 8;           ///< of light, as asked for; of the drawing: settings.bounces, set by derive()
+    bool audit = true;         ///< measure the picture's error if it is drawn with bounces
+    bool audit_always = false; ///< measure it without bounces too
+    std::optional<double> error;      ///< drawing: refine until the measured error is at most this
+    std::optional<double> seconds;    ///< drawing: refine for so long
+    std::string shown = "picture";    ///< in viewers: the picture, the reference, the error or a layer
     std::optional<view::Orbit> orbit; ///< unset: the default view, or camera_node
     std::optional<glm::dvec3>
         target; ///< point in the world that the orbit is around; unset: the scene's centre

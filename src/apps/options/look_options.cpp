@@ -117,14 +117,17 @@ Group<RenderArguments> viewer_group()
 Group<RenderArguments> bounces_group()
 {
     using R = Row<RenderArguments>;
-    return {"Tracing",
-            command::reference,
-            {R("bounces", "N", whole(0, 1024), "8")
-                 .at([](auto& a) -> auto& { return a.bounces; })
-                 .says("Bounces of light; 0: direct light without shadows, 1: with shadows",
-                       "bounces of light. 0: direct light without shadows, what image based lighting "
-                       "approximates; 1: with shadows")
-                 .control(6, {"Reference bounces", "Display", 0.0, 64.0})}};
+    return {
+        "Light",
+        command::of_scenes,
+        {R("bounces", "N", whole(0, 1024), "8")
+             .at([](auto& a) -> auto& { return a.bounces; })
+             .says("Bounces of light; 0: direct light without shadows, 1: with shadows",
+                   "bounces of light. 0: direct light without shadows, what image based lighting "
+                   "approximates; 1: with shadows; more: from surface to surface ([how](LIGHT.md)). Pictures "
+                   "of the 2014 report, `--pipeline report`, `--mip-level report` or "
+                   "`--ambient-brightness`, are drawn with 0")
+             .control(6, {"Bounces", "Light", 0.0, 64.0})}};
 }
 
 } // namespace lambent::cli

@@ -9,8 +9,9 @@ Group<RenderArguments> material_group();
 Group<RenderArguments> display_group();
 Group<RenderArguments> device_group();
 
-/// Options that only the controls of viewers set, and --bounces, which viewers share with `lambent reference`.
-Group<RenderArguments> viewer_group();
 Group<RenderArguments> bounces_group();
+
+/// Options that only the controls of viewers set.
+Group<RenderArguments> viewer_group();
 
 } // namespace lambent::cli

@@ -195,15 +195,11 @@ Group<A> render_group()
              .says("Also write each layer of the G-buffer and of the light",
                    "also write each layer of the G-buffer and of the light, as `.exr` with its values and "
                    "as `.png` to look at ([list](#layers))"),
-         R("bounces", "N", whole(0, 1024), "0")
-             .at([](auto& a) -> auto& { return a.settings.bounces; })
-             .says("Bounces of light; 0: direct light without shadows, 1: with shadows",
-                   "bounces of light, as in `reference`. 0: direct light without shadows; 1: with shadows; "
-                   "more: from surface to surface ([how](LIGHT.md)). Above 0 on the CPU only"),
          R("passes", "N", whole(1, 4096), "2")
              .at([](auto& a) -> auto& { return a.settings.passes; })
              .says("Rounds of rays; only with --bounces above 0",
-                   "rounds of rays, each of two samples of every pixel; only with `--bounces` above 0"),
+                   "rounds of rays, each of two samples of every pixel; only with `--bounces` above 0")
+             .place(27),
          R("error", "REL", number(1e-4, 1.0))
              .at([](auto& a) -> auto& { return a.error; })
              .says("Add rounds of rays until the measured error is at most REL",

@@ -35,7 +35,6 @@ void settle_pipeline(RenderArguments& arguments, const Given& given)
     refuse_if(display.tone != display::Tone::reinhard,
               "--pipeline report: not with --tone: it uses the report's own tone curve");
     refuse_if(given("audit"), "--pipeline report: not with --audit: no reference draws as it does");
-    refuse_if(settings.bounces > 0, "--pipeline report: not with --bounces: the report has no shadows");
     settings.pipeline = draw::ReportPipeline{display.exposure, display.contrast, display.encode};
     settings.mip_level = draw::MipLevel::report;
     settings.texel_transfer = draw::TexelTransfer::none; // the pipeline decodes texels itself
@@ -50,6 +49,11 @@ void settle_pipeline(RenderArguments& arguments, const Given& given)
 void check_bounces(const RenderArguments& arguments, const Given& given)
 {
     const bool bounces = arguments.settings.bounces > 0;
+    refuse_if(given("bounces") && arguments.bounces > 0 && draws_as_report(arguments),
+              arguments.report_pipeline                                ? "--pipeline report"
+              : arguments.settings.mip_level == draw::MipLevel::report ? "--mip-level report"
+                                                                       : "--ambient-brightness",
+              ": only with --bounces 0: the 2014 report has no shadows");
     refuse_if(bounces && arguments.backend == Backend::vulkan,
               "--backend vulkan: draws light without shadows only; use --backend cpu or --bounces 0");
     for (const char* const name : {"passes", "error", "time"})
@@ -57,10 +61,6 @@ void check_bounces(const RenderArguments& arguments, const Given& given)
     refuse_if(given("passes") && (given("error") || given("time")),
               "--passes: not with --error or --time, which choose the number of passes");
     refuse_if(given("error") && given("no-audit"), "--error: not with --no-audit: the error is measured");
-    refuse_if(bounces && arguments.settings.ambient_brightness != 1.0f,
-              "--ambient-brightness: not with --bounces: rays find the light that there is");
-    refuse_if(bounces && arguments.settings.mip_level == draw::MipLevel::report,
-              "--mip-level report: not with --bounces: the report has no shadows");
 }
 
 } // namespace
@@ -72,9 +72,17 @@ bool is_audited(const RenderArguments& arguments)
            (arguments.audit_always || (arguments.audit && arguments.settings.bounces > 0));
 }
 
+bool draws_as_report(const RenderArguments& arguments)
+{
+    return arguments.report_pipeline || arguments.settings.mip_level == draw::MipLevel::report ||
+           arguments.settings.ambient_brightness != 1.0f;
+}
+
 void derive(RenderArguments& arguments)
 {
     draw::Settings& settings = arguments.settings;
+    settings.bounces = draws_as_report(arguments) ? 0 : arguments.bounces;
+    settings.white = 1.0f / arguments.display.exposure;
     if (arguments.split_sum)
         settings.samples = draw::split_sum_samples;
     // The report decodes its texels by the power that it encodes with; glTF's are sRGB.
@@ -94,8 +102,8 @@ void settle(RenderArguments& arguments, const Given& given)
 {
     check_view(arguments, given);
     refuse_if(given("audit") && given("no-audit"), "--audit and --no-audit exclude each other");
-    check_bounces(arguments, given);
     derive(arguments);
+    check_bounces(arguments, given);
     if (arguments.report_pipeline)
         settle_pipeline(arguments, given);
 }

@@ -5,6 +5,9 @@
 
 namespace lambent::cli {
 
+/// Whether options ask for what only the 2014 report draws, which has no shadows.
+bool draws_as_report(const RenderArguments& arguments);
+
 /// Sets the settings that follow from others.
 void derive(RenderArguments& arguments);
 

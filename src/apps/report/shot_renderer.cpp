@@ -100,6 +100,7 @@ Words ShotRenderer::words_of(const Shot& shot) const
     }
     if (std::find(words.begin(), words.end(), "--size") == words.end())
         append(words, settings_.size);
+    append(words, {"--bounces", "0"}); // the report has no shadows
     return words;
 }
 
@@ -190,7 +191,7 @@ PagePicture ShotRenderer::picture(const Shot& shot)
 Words ShotRenderer::reference_words(const Shot& shot) const
 {
     Words words = without_approximations(words_of(shot));
-    append(words, {"--bounces", "0", "--noise", text(settings_.noise), "--spp", text(settings_.samples)});
+    append(words, {"--noise", text(settings_.noise), "--spp", text(settings_.samples)});
     return words;
 }
 

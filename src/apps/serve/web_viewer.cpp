@@ -1,5 +1,6 @@
 #include "apps/serve/web_viewer.h"
 
+#include "apps/common/picture_audit.h"
 #include "apps/serve/link.h"
 #include "apps/serve/messages.h"
 #include "base/error.h"
@@ -237,6 +238,10 @@ void WebPresenter::show(ShownPicture picture)
                                      {"input", picture.input},
                                      {"moment", picture.moment},
                                      {"last", picture.is_last}};
+    if (picture.lacks_shadows)
+        header["lacks_shadows"] = true;
+    if (picture.error)
+        header["error"] = cli::to_json(*picture.error);
     if (const std::optional<ShownPicture::Traced>& traced = picture.traced) {
         header["traced"] = {{"samples", traced->samples}, {"error", traced->error}};
         if (traced->noise)

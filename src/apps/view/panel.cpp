@@ -1,5 +1,6 @@
 #include "apps/view/panel.h"
 
+#include "apps/common/picture_audit.h"
 #include "apps/view/animation_controls.h"
 #include "apps/view/controls.h"
 #include "apps/view/input_handler.h"
@@ -71,9 +72,12 @@ std::string status(const Shown& shown)
         return traced_status(size, shown);
     const std::string ms = text(std::lround(shown.draw_ms), " ms");
     if (shown.kind != viewer::ShownPicture::Kind::moving)
-        return text(size, ", ", ms, shown.kind == viewer::ShownPicture::Kind::still ? ", refining" : "");
+        return text(size, ", ", ms,
+                    shown.measured ? text(", ", cli::in_words(*shown.measured)) : std::string(),
+                    shown.is_last ? "" : ", refining");
     const std::string rate = shown.rate > 0.0 ? text(std::lround(shown.rate), "/s, ") : "";
-    return text(rate, size, " at ", std::lround(100.0 * shown.scale), " %, ", ms);
+    return text(rate, size, " at ", std::lround(100.0 * shown.scale), " %, ", ms,
+                shown.lacks_shadows ? ", without shadows" : "");
 }
 
 Pressed show_buttons()

@@ -19,6 +19,8 @@ struct Shown {
     double rate = 0.0;                                  ///< pictures per second of a moving view; 0: unknown
     std::optional<viewer::ShownPicture::Traced> traced; ///< set while the reference or its error is shown
     bool is_last = false;                               ///< no better picture follows
+    bool lacks_shadows = false;                         ///< as of viewer::ShownPicture
+    std::optional<audit::Error> measured;               ///< the picture's error, as there
     bool loading = true;
     bool saving = false, ending = false; ///< ending: the window closes once pictures are saved
     std::vector<std::string> warnings;   ///< of the scene

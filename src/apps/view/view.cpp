@@ -143,7 +143,7 @@ void View::take_news()
         awaited_ = 0;
         give_up_saving(nlohmann::json::parse(session_->state(), nullptr, false).value("error", ""));
     }
-    shown_.command = viewer::command_of(session_->request(), "picture.png");
+    shown_.command = viewer::command_of(session_->shown(), "picture.png");
     if (Clock::now() - noticed_ > notice_lasts)
         shown_.notice.clear();
     if (Clock::now() - refused_ > refusal_lasts)
@@ -160,6 +160,8 @@ void View::take_picture(const viewer::ShownPicture& picture)
     shown_.draw_ms = picture.draw_ms;
     shown_.traced = picture.traced;
     shown_.is_last = picture.is_last;
+    shown_.lacks_shadows = picture.lacks_shadows;
+    shown_.measured = picture.error;
     const Clock::time_point now = Clock::now();
     if (picture.kind == viewer::ShownPicture::Kind::moving)
         recent_.push_back(now);

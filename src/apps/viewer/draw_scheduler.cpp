@@ -140,11 +140,13 @@ DrawScheduler::BegunPicture DrawScheduler::begin_or_resume(const Plan& plan, Cli
     plan.model->pose(plan.arguments);
     if (client.paused && client.session->is_stale(client.paused->plan))
         client.paused.reset();
+    if (client.refinement && client.refinement->serial() != plan.serial && plan.task != Task::save)
+        client.refinement.reset();
     if (client.paused && client.paused->plan.task == plan.task && client.paused->plan.serial == plan.serial)
         return std::move(client.paused);
     const auto& environment = plan.environment->environment;
     const draw::Settings& settings = plan.arguments.settings;
-    draw::Renderer& renderer = plan.model->renderer(settings.texel_transfer);
+    draw::Renderer& renderer = plan.model->renderer(settings);
     return std::make_unique<Begun>(
         Begun{plan, renderer.start(environment ? &*environment : nullptr, settings)});
 }
@@ -152,15 +154,75 @@ DrawScheduler::BegunPicture DrawScheduler::begin_or_resume(const Plan& plan, Cli
 void DrawScheduler::draw(const Plan& plan, Client& client)
 {
     const Clock::time_point start = Clock::now();
+    if (plan.task == Task::save && save_refined(plan, client))
+        return;
     BegunPicture begun = begin_or_resume(plan, client);
     const bool whole = begun->drawing->advance([&](float) { return may_continue(plan, client, start); });
     begun->milliseconds += ms_since(start);
-    if (whole) {
-        finish(plan, *client.session, begun->drawing->take(), begun->milliseconds);
-    } else {
+    if (!whole) {
         client.paused = std::move(begun);
         client.session->plan_paused(plan);
+    } else if (plan.task == Task::save) {
+        save(plan, client, begun->drawing->take());
+    } else if (plan.is_refined) {
+        client.refinement = std::make_unique<Refinement>(plan, std::move(begun->drawing));
+        finish(plan, *client.session, client.refinement->frame(), begun->milliseconds);
+    } else {
+        finish(plan, *client.session, begun->drawing->take(), begun->milliseconds);
     }
+}
+
+// Hands the frame over with the error that the command would write with it.
+void DrawScheduler::save(const Plan& plan, Client& client, draw::Frame frame)
+{
+    const Clock::time_point start = Clock::now();
+    Plan measured = plan;
+    measured.error = error_in_file(plan, frame.radiance, [&] { may_continue(plan, client, start); });
+    finish(measured, *client.session, std::move(frame), 0.0);
+}
+
+// Saves the picture that is being refined, if it is the one that is asked for, without drawing it again.
+bool DrawScheduler::save_refined(const Plan& plan, Client& client)
+{
+    const Refinement* const known = client.refinement.get();
+    if (!known || known->serial() != plan.serial || known->passes() != plan.arguments.settings.passes)
+        return false;
+    if (!known->is_measured()) {
+        plan.model->pose(plan.arguments);
+        save(plan, client, known->frame());
+        return true;
+    }
+    Plan measured = plan;
+    measured.error = known->error();
+    finish(measured, *client.session, known->frame(), 0.0);
+    return true;
+}
+
+// Shows the picture again after each measurement, and with more rays.
+void DrawScheduler::refine(const Plan& plan, Client& client)
+{
+    const Clock::time_point start = Clock::now();
+    Session& session = *client.session;
+    if (!client.refinement || client.refinement->serial() != plan.serial) {
+        session.plan_paused(plan);
+        session.refinement_finished(plan);
+        return;
+    }
+    Refinement& refinement = *client.refinement;
+    plan.model->pose(plan.arguments);
+    const bool done = refinement.advance([&] { return may_continue(plan, client, start); });
+    client.unseen_ms += ms_since(start);
+    if (!done) {
+        session.plan_paused(plan);
+        return;
+    }
+    Plan shown = plan;
+    shown.error = refinement.error();
+    shown.is_refined = !refinement.is_finished();
+    session.refined(plan, refinement.passes());
+    present_frame(shown, refinement.frame(), std::exchange(client.unseen_ms, 0.0), session);
+    if (refinement.is_finished())
+        session.refinement_finished(plan);
 }
 
 // Shows the frame; `milliseconds` is how long drawing took.
@@ -205,6 +267,8 @@ void DrawScheduler::carry_out(const Plan& plan, Client& client)
     try {
         if (plan.task == Task::trace)
             trace(plan, client);
+        else if (plan.task == Task::refine)
+            refine(plan, client);
         else
             draw(plan, client);
     } catch (const Abandoned&) {

@@ -1,6 +1,7 @@
 // Draws for all sessions, one picture at a time, each session in turn.
 #pragma once
 
+#include "apps/viewer/refinement.h"
 #include "apps/viewer/session.h"
 
 #include <condition_variable>
@@ -47,6 +48,8 @@ private:
     struct Client {
         std::shared_ptr<Session> session;
         BegunPicture paused;
+        std::unique_ptr<Refinement>
+            refinement;                 ///< of the last picture at rest; null: none, or it is finished
         double unseen_ms = 0.0;         ///< of tracing since its last picture
         Clock::time_point moved{};      ///< when a picture that is not long was drawn last
         Clock::time_point long_after{}; ///< no long picture is drawn before this while other sessions move
@@ -61,6 +64,9 @@ private:
     bool work_once(Clock::time_point& wake);
     void carry_out(const Plan& plan, Client& client);
     void draw(const Plan& plan, Client& client);
+    void refine(const Plan& plan, Client& client);
+    void save(const Plan& plan, Client& client, draw::Frame frame);
+    bool save_refined(const Plan& plan, Client& client);
     void trace(const Plan& plan, Client& client);
     void finish(const Plan& plan, Session& session, draw::Frame frame, double milliseconds) const;
     bool may_continue(const Plan& plan, const Client& client, Clock::time_point start);

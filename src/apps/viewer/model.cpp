@@ -44,18 +44,28 @@ void Model::pose(const cli::RenderArguments& arguments)
         posed = std::make_unique<scene::Scene>(file_->pose(*moment));
     moment_ = moment;
     posed_.swap(posed); // renderers use the old one until they are posed below
-    for (const auto& [transfer, renderer] : renderers_)
+    for (const auto& [needs, renderer] : renderers_)
         renderer->pose(posed_ ? *posed_ : scene_);
 }
 
-draw::Renderer& Model::renderer(draw::TexelTransfer transfer)
+draw::Renderer& Model::renderer(const Needs& needs)
 {
-    if (const auto found = renderers_.find(transfer); found != renderers_.end())
+    if (const auto found = renderers_.find(needs); found != renderers_.end())
         return *found->second;
-    std::unique_ptr<draw::Renderer> renderer = cli::make_renderer(backend_, scene_);
+    cli::RendererChoice choice = backend_;
+    if (needs.cpu)
+        choice.backend = cli::Backend::cpu;
+    std::unique_ptr<draw::Renderer> renderer = cli::make_renderer(choice, scene_);
     if (posed_)
         renderer->pose(*posed_);
-    return *renderers_.emplace(transfer, std::move(renderer)).first->second;
+    return *renderers_.emplace(needs, std::move(renderer)).first->second;
+}
+
+draw::Renderer& Model::renderer(const draw::Settings& settings)
+{
+    draw::Renderer& usual = renderer(Needs{settings.texel_transfer, false});
+    const bool other = settings.bounces > 0 && usual.device().backend != "cpu";
+    return other ? renderer(Needs{settings.texel_transfer, true}) : usual;
 }
 
 std::shared_ptr<const scene::Scene> Model::whole_scene() const

@@ -8,6 +8,7 @@
 #include "scene/gltf/gltf.h"
 #include "scene/scene.h"
 
+#include <compare>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -37,13 +38,21 @@ public:
     /// Lets all renderers draw the moment that the arguments name. Throws Error(usage) if there is no such animation.
     void pose(const cli::RenderArguments& arguments);
 
-    /// Each transfer has a renderer with textures of its own, made on first use. Throws Error(no_device).
-    draw::Renderer& renderer(draw::TexelTransfer transfer);
+    /// The renderer for pictures with these settings, made on first use: each transfer has textures of its own, and
+    /// bounces of light are drawn by the CPU. Throws Error(no_device).
+    draw::Renderer& renderer(const draw::Settings& settings);
 
     /// The scene at the moment of the last pose(), with its textures; stays valid after the next pose().
     std::shared_ptr<const scene::Scene> whole_scene() const;
 
 private:
+    struct Needs {
+        draw::TexelTransfer transfer;
+        bool cpu;
+        auto operator<=>(const Needs&) const = default;
+    };
+    draw::Renderer& renderer(const Needs& needs);
+
     std::unique_ptr<scene::GltfFile> file_; ///< null: built-in, or without animations
     Warnings warnings_;
     scene::Scene scene_;
@@ -51,7 +60,7 @@ private:
     cli::RendererChoice backend_;
     std::optional<scene::Moment> moment_;
     std::unique_ptr<scene::Scene> posed_; ///< at moment_, without textures; null: no moment is set
-    std::map<draw::TexelTransfer, std::unique_ptr<draw::Renderer>> renderers_; ///< last: uses the scenes
+    std::map<Needs, std::unique_ptr<draw::Renderer>> renderers_; ///< last: uses the scenes
 };
 
 } // namespace lambent::viewer

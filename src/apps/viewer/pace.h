@@ -13,6 +13,9 @@ public:
     /// From `least` to 1.
     double scale() const { return scale_; }
 
+    /// Whether even the smallest picture takes longer than this, as far as is known.
+    bool is_slower_than(double milliseconds) const { return full_ms_ * least * least > milliseconds; }
+
     /// Reports that a picture at `scale` took so long in all; values not above 0 are ignored.
     void made(double scale, double milliseconds);
 

@@ -1,6 +1,7 @@
 #include "apps/viewer/present_frame.h"
 
 #include "apps/common/layer_files.h"
+#include "apps/common/picture_audit.h"
 #include "apps/common/picture_file.h"
 #include "apps/viewer/session.h"
 
@@ -48,7 +49,10 @@ ShownPicture picture_of(const Plan& plan, const draw::Frame& frame, double draw_
                    : plan.task == Plan::Task::still ? ShownPicture::Kind::still
                                                     : ShownPicture::Kind::rest;
     picture.codes = codes_of(plan, frame);
-    picture.is_last = plan.task == Plan::Task::rest && !plan.is_compared;
+    const bool at_rest = plan.task == Plan::Task::rest || plan.task == Plan::Task::refine;
+    picture.is_last = at_rest && !plan.is_compared && !plan.is_refined;
+    picture.lacks_shadows = plan.lacks_shadows;
+    picture.error = plan.error;
     complete_picture(plan, draw_ms, picture);
     return picture;
 }
@@ -99,7 +103,9 @@ void present_frame(const Plan& plan, const draw::Frame& frame, double draw_ms, S
     } else if (plan.task == Plan::Task::save) {
         const display::Settings& display = plan.arguments.display;
         session.presenter().save(
-            {plan.file, cli::picture_bytes(frame.radiance, display, is_transparent(plan), plan.file),
+            {plan.file,
+             cli::picture_bytes(frame.radiance, display, is_transparent(plan), plan.file,
+                                plan.error ? cli::notes_of(*plan.error) : image::Notes()),
              plan.command});
     } else {
         session.presenter().show(picture_of(plan, frame, draw_ms));

@@ -30,6 +30,8 @@ void Session::request_view()
     draw_state_.request_view();
     drawn_ = {};
     trace_.reset();
+    has_news_ = has_news_ || shown_passes_ != 0;
+    shown_passes_ = 0;
 }
 
 OrbitCamera::World Session::world() const

@@ -94,6 +94,12 @@ public:
     /// The radiance drawn for a plan that is compared with the reference.
     void light_drawn(const Plan& plan, image::RadianceImage light);
 
+    /// The picture that is shown now has had so many passes: state() has its command.
+    void refined(const Plan& plan, int passes);
+
+    /// The plan's picture is not refined further.
+    void refinement_finished(const Plan& plan);
+
     /// The plan's reference reached its limits.
     void trace_finished(const Plan& plan);
 
@@ -125,6 +131,9 @@ public:
     std::string state() const;
 
     ViewRequest request() const;
+
+    /// The request of the picture that is shown: one at rest gets more passes than were asked for.
+    ViewRequest shown() const;
     double scale() const;
 
 private:
@@ -151,7 +160,10 @@ private:
     std::optional<Plan> next_plan(Clock::time_point now, Clock::time_point& wake, bool may_be_long);
     std::optional<Plan::Task> next_task(Clock::time_point now, Clock::time_point& wake, bool may_be_long);
     std::optional<Plan::Task> next_long_task(Clock::time_point now, Clock::time_point& wake);
+    bool is_refined() const;
     Plan make_plan(Plan::Task task);
+    void make_moving(Plan& plan);
+    ViewRequest shown_request() const;
     void plan_requested_save();
     void plan_save();
     Playing playing_now() const;
@@ -166,7 +178,8 @@ private:
     ViewRequest request_;
     std::uint64_t input_ = 0; ///< the last one that request_ contains
     Clock::time_point input_time_{};
-    Pace pace_;
+    Pace pace_, light_pace_;       ///< of pictures without and with bounces of light
+    int shown_passes_ = 0;         ///< of the picture at rest that is shown; 0: as asked for
     std::shared_ptr<Model> model_; ///< of request_ or, until that is loaded, the one before
     std::shared_ptr<const cli::LoadedEnvironment> environment_; ///< likewise
     bool is_loading_ = true;     ///< the scene or the environment of request_ is being loaded

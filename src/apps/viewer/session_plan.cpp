@@ -46,6 +46,8 @@ std::optional<Plan::Task> Session::next_long_task(Clock::time_point now, Clock::
     if (find_trace())
         return Plan::Task::trace;
     const DrawState::Stage stage = draw_state_.stage();
+    if (stage == DrawState::Stage::rest && is_refined())
+        return Plan::Task::refine;
     if (stage >= DrawState::Stage::rest)
         return std::nullopt;
     if (now - input_time_ < settle) {
@@ -79,14 +81,44 @@ void Session::plan_save()
         throw;
     }
     saves_.back().file = file;
-    saves_.back().command = command_of(request_, file);
+    saves_.back().command = command_of(shown_request(), file);
+}
+
+// The request of the picture that is shown: it may have had more passes than were asked for.
+ViewRequest Session::shown_request() const
+{
+    ViewRequest request = request_;
+    if (shown_passes_ > 0)
+        request.asked.settings.passes = shown_passes_;
+    return request;
+}
+
+// Whether the picture at rest goes on getting better.
+bool Session::is_refined() const
+{
+    return arguments_of(request_).settings.bounces > 0 && request_.asked.shown == "picture" && !is_compared();
+}
+
+// A picture of a moving view has light from surface to surface as the picture before knew it, at a scale that holds the
+// rate; where none does, it has no shadows.
+void Session::make_moving(Plan& plan)
+{
+    constexpr double slowest_ms = 50.0;
+    draw::Settings& settings = plan.arguments.settings;
+    plan.lacks_shadows = settings.bounces > 0 && light_pace_.is_slower_than(slowest_ms);
+    if (plan.lacks_shadows)
+        settings.bounces = 0;
+    settings.passes = 1;
+    settings.keeps_known_light = true;
+    plan.scale = (settings.bounces > 0 ? light_pace_ : pace_).scale();
+    make_fast(plan.arguments, plan.scale);
 }
 
 Plan Session::make_plan(Plan::Task task)
 {
     Plan plan;
     plan.task = task;
-    plan.arguments = arguments_of(request_);
+    plan.arguments = arguments_of(task == Plan::Task::save ? shown_request() : request_);
     plan.layer = request_.asked.shown;
     plan.model = model_;
     plan.environment = environment_;
@@ -99,16 +131,20 @@ Plan Session::make_plan(Plan::Task task)
     plan.arguments.settings.camera = cli::orbit_asked(plan.arguments, model_->bounds(), origin);
     plan.arguments.settings.lights = cli::lights_asked(plan.arguments, origin);
     if (task == Plan::Task::moving)
-        plan.scale = pace_.scale();
-    if (task == Plan::Task::pick)
+        make_moving(plan);
+    if (task == Plan::Task::pick) {
         plan.scale = std::min(1.0, 320.0 / std::max(plan.width, plan.height));
-    if (task == Plan::Task::moving || task == Plan::Task::pick)
+        plan.arguments.settings.bounces = 0;
         make_fast(plan.arguments, plan.scale);
-    if (task == Plan::Task::still)
+    }
+    if (task == Plan::Task::still) {
         plan.arguments.settings.samples = draw::split_sum_samples;
+        plan.arguments.settings.passes = 1;
+    }
     if (task == Plan::Task::pick)
         plan.place = *std::exchange(pick_place_, std::nullopt);
     plan.is_compared = task == Plan::Task::rest && is_compared();
+    plan.is_refined = (task == Plan::Task::rest || task == Plan::Task::refine) && is_refined();
     if (task == Plan::Task::trace)
         plan.trace = trace_;
     if (is_compared() || task == Plan::Task::save)

@@ -11,7 +11,7 @@ void Session::picture_finished(const Plan& plan, double milliseconds)
     const std::lock_guard lock(mutex_);
     switch (plan.task) {
     case Plan::Task::moving:
-        pace_.made(plan.scale, milliseconds);
+        (plan.arguments.settings.bounces > 0 ? light_pace_ : pace_).made(plan.scale, milliseconds);
         draw_state_.picture_finished(plan.serial, Stage::moving);
         break;
     case Plan::Task::still:
@@ -24,6 +24,7 @@ void Session::picture_finished(const Plan& plan, double milliseconds)
         draw_state_.save_finished();
         break;
     case Plan::Task::pick:
+    case Plan::Task::refine:
     case Plan::Task::trace:
         break;
     }
@@ -34,6 +35,24 @@ void Session::light_drawn(const Plan& plan, image::RadianceImage light)
     const std::lock_guard lock(mutex_);
     if (draw_state_.is_current(plan.serial))
         drawn_ = std::move(light);
+}
+
+void Session::refined(const Plan& plan, int passes)
+{
+    std::string state;
+    {
+        const std::lock_guard lock(mutex_);
+        if (!draw_state_.is_current(plan.serial))
+            return;
+        shown_passes_ = passes;
+        state = state_now();
+    }
+    presenter_->say(state);
+}
+
+void Session::refinement_finished(const Plan& plan)
+{
+    draw_state_.picture_finished(plan.serial, DrawState::Stage::finished);
 }
 
 void Session::trace_finished(const Plan& plan)

@@ -48,7 +48,7 @@ std::string Session::state_now() const
                                     {"environment", request_.asked.environment},
                                     {"values", to_json(request_.asked)},
                                     {"lights", request_.asked.light_words},
-                                    {"command", command_of(request_, "picture.png")},
+                                    {"command", command_of(shown_request(), "picture.png")},
                                     {"animation", playing.number},
                                     {"seconds", playing.now.seconds},
                                     {"moment", playing.moment},
@@ -76,10 +76,16 @@ ViewRequest Session::request() const
     return request_;
 }
 
+ViewRequest Session::shown() const
+{
+    const std::lock_guard lock(mutex_);
+    return shown_request();
+}
+
 double Session::scale() const
 {
     const std::lock_guard lock(mutex_);
-    return pace_.scale();
+    return arguments_of(request_).settings.bounces > 0 ? light_pace_.scale() : pace_.scale();
 }
 
 } // namespace lambent::viewer

@@ -1,6 +1,7 @@
 // Pictures for a viewer, and the interface that takes them.
 #pragma once
 
+#include "audit/interval.h"
 #include "image/image.h"
 
 #include <cstdint>
@@ -19,9 +20,11 @@ struct ShownPicture {
     int width = 0, height = 0; ///< as requested; `codes` may be smaller
     double scale = 1.0;        ///< of the width and height of `codes`
     double draw_ms = 0.0;
-    std::uint64_t input = 0; ///< the last input that was taken into account
-    bool is_last = false;    ///< no better picture follows
-    double moment = 0.0;     ///< time of the animation, seconds
+    std::uint64_t input = 0;           ///< the last input that was taken into account
+    bool is_last = false;              ///< no better picture follows
+    double moment = 0.0;               ///< time of the animation, seconds
+    bool lacks_shadows = false;        ///< drawn without the bounces that were asked for, to hold the rate
+    std::optional<audit::Error> error; ///< as measured; unset: not measured, or not yet
 
     /// Set for Kind::traced.
     struct Traced {

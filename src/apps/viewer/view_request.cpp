@@ -64,6 +64,8 @@ cli::RenderArguments effective(const ViewRequest& request)
         if (!cli::applies(row.option.needs, arguments))
             row.value.set(arguments, row.option, "");
     });
+    if (cli::draws_as_report(arguments))
+        arguments.bounces = cli::RenderArguments().bounces; // has no effect
     const std::vector<std::string> eye = request.eye.options();
     arguments.orbit = cli::parse_orbit(eye.at(1), eye.at(0));
     if (eye.size() > 2)

@@ -83,12 +83,17 @@ public:
 
     const scene::Scene& scene() const { return *scene_; }
 
+    // The cache of the light of a picture that was drawn, for pictures that keep it; null: none yet.
+    const std::shared_ptr<const WorldCache>& known_light() const { return known_light_; }
+    void remember(std::shared_ptr<const WorldCache> light) { known_light_ = std::move(light); }
+
 private:
     const scene::Scene& first_; ///< holds the images
     const scene::Scene* scene_; ///< the current pose
     bool stale_ = false;        ///< whether `prepared_` has another pose
     std::optional<PreparedScene> prepared_;
     TexelTransfer prepared_transfer_ = TexelTransfer::srgb;
+    std::shared_ptr<const WorldCache> known_light_;
 };
 
 class CpuDrawing : public Drawing {
@@ -99,7 +104,9 @@ public:
           frame_(blank_frame(settings_, renderer.scene())), tiles_(settings_.width, settings_.height)
     {
         if (settings_.bounces > 0)
-            full_light_ = std::make_unique<FullLight>(settings_);
+            full_light_ = std::make_unique<FullLight>(
+                settings_,
+                settings_.keeps_known_light && settings_.bounces > 1 ? renderer.known_light() : nullptr);
     }
 
     bool advance(const GoOn& go_on) override
@@ -121,6 +128,8 @@ public:
         const bool complete =
             tiles_.all_done() && (!full_light_ || full_light_->advance(picture, for_tiles, frame_));
         done_ = reporter.done();
+        if (complete && full_light_ && full_light_->known())
+            renderer_.remember(full_light_->known());
         return complete;
     }
 

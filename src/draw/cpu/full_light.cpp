@@ -46,9 +46,10 @@ float mean_of_covered(const Frame& frame)
 
 } // namespace
 
-FullLight::FullLight(const Settings& settings)
+FullLight::FullLight(const Settings& settings, std::shared_ptr<const WorldCache> known)
     : settings_(settings), sums_(settings.width, settings.height), tiles_(settings.width, settings.height),
-      rounds_(std::clamp(settings.bounces - 1, 0, most_rounds)), passes_(settings.passes)
+      rounds_(known ? 0 : std::clamp(settings.bounces - 1, 0, most_rounds)), passes_(settings.passes),
+      known_(std::move(known))
 {
 }
 

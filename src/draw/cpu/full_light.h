@@ -16,7 +16,11 @@ namespace lambent::draw {
 /// knew, so that each adds a bounce; then rays from what the camera sees. May be stopped between tiles.
 class FullLight {
 public:
-    explicit FullLight(const Settings& settings);
+    /// `known`: a cache to take the light from, filled; null: it is filled first.
+    FullLight(const Settings& settings, std::shared_ptr<const WorldCache> known);
+
+    /// The cache, once it is filled; null before, and where one bounce needs none.
+    std::shared_ptr<const WorldCache> known() const { return round_ == rounds_ ? known_ : nullptr; }
 
     /// Where the tiles of the picture without shadows leave what the later stages need.
     LightSums& sums() { return sums_; }
@@ -51,7 +55,8 @@ private:
     int round_ = 0, pass_ = 0; ///< the current ones
     bool guided_ = false;      ///< whether the sums of the picture without shadows are means
     WorldCache::Sizes sizes_;
-    std::unique_ptr<WorldCache> known_, next_; ///< of the last round, and of this
+    std::shared_ptr<const WorldCache> known_; ///< of the last round
+    std::unique_ptr<WorldCache> next_;        ///< of this one
 };
 
 } // namespace lambent::draw

@@ -15,6 +15,13 @@ function tracedStatus(size, { traced, last }) {
         `${flipWords}${last ? '' : ', refining'}`;
 }
 
+// The measured error with the interval that holds the true one.
+function errorWords({ error }) {
+    if (!error) return '';
+    const number = part => (100 * part).toPrecision(2);
+    return `, error ${number(error.relative_rmse)} % (${number(error.low)} to ${number(error.high)})`;
+}
+
 const recent = [];
 function showStatus(header) {
     const now = performance.now();
@@ -28,8 +35,9 @@ function showStatus(header) {
         return;
     }
     const time = `${header.draw_ms.toFixed(0)} ms`;
-    at('status').textContent = moving ? `${rate}${size} at ${Math.round(100 * header.scale)} %, ${time}`
-                                      : `${size}, ${time}${header.kind === 'still' ? ', refining' : ''}`;
+    const shadows = header.lacks_shadows ? ', without shadows' : '';
+    at('status').textContent = moving ? `${rate}${size} at ${Math.round(100 * header.scale)} %, ${time}${shadows}`
+                                      : `${size}, ${time}${errorWords(header)}${header.last ? '' : ', refining'}`;
 }
 
 // Decoding is asynchronous; this chain shows pictures in the order of their arrival.
