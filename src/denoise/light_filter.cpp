@@ -70,7 +70,7 @@ std::vector<Tile> tiles_of(int width, int height)
 {
     constexpr int widest = 640, least_rows = 64;
     const int strips = (width + widest - 1) / widest;
-    const int wanted = 2 * tbb::this_task_arena::max_concurrency(); // of each class
+    const int wanted = 4 * tbb::this_task_arena::max_concurrency();
     const int bands =
         std::clamp((wanted + strips - 1) / std::max(strips, 1), 1, std::max(height / least_rows, 1));
     std::vector<Tile> tiles;
@@ -83,17 +83,29 @@ std::vector<Tile> tiles_of(int width, int height)
 
 } // namespace
 
+void filter_light(const Picture& picture, const Settings& settings, const TakeRow& take)
+{
+    if (check(picture) == 0)
+        return;
+    const std::vector<Tile> tiles = tiles_of(picture.width, picture.height);
+    tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t i) {
+        filter_tile({picture, picture.diffuse, false, settings, take}, tiles[i]);
+        filter_tile({picture, picture.specular, true, settings, take}, tiles[i]);
+    });
+}
+
 Filtered filter_light(const Picture& picture, const Settings& settings)
 {
     const std::size_t size = check(picture);
     Filtered result{empty_result(size), empty_result(size)};
-    if (size == 0)
-        return result;
-    const LightJob jobs[] = {{picture, picture.diffuse, false, settings, result.diffuse},
-                             {picture, picture.specular, true, settings, result.specular}};
-    const std::vector<Tile> tiles = tiles_of(picture.width, picture.height);
-    tbb::parallel_for(std::size_t{0}, 2 * tiles.size(),
-                      [&](std::size_t i) { filter_tile(jobs[i % 2], tiles[i / 2]); });
+    filter_light(picture, settings, [&](const FilteredRow& row) {
+        FilteredLight& to = row.specular ? result.specular : result.diffuse;
+        const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(row.y) * picture.width + row.x;
+        for (std::size_t c = 0; c < 3; ++c) {
+            std::copy_n(row.light[c], row.columns, to.light[c].begin() + first);
+            std::copy_n(row.gap[c], row.columns, to.gap[c].begin() + first);
+        }
+    });
     return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <vector>
 
 namespace lambent::denoise {
@@ -58,9 +59,20 @@ struct Filtered {
     FilteredLight diffuse, specular;
 };
 
+/// A part of a row of one class's result. The planes are as of FilteredLight.
+struct FilteredRow {
+    int x = 0, y = 0, columns = 0;
+    bool specular = false;
+    std::array<const float*, 3> light{}, gap{};
+};
+using TakeRow = std::function<void(const FilteredRow&)>;
+
 /// Filters both classes. Finite input gives finite output, the same bytes with any number of threads, though not with
 /// other instruction sets. Throws Error(usage) for planes that are not of width x height pixels.
 /// Needs about 12 MB for each thread besides its result.
 Filtered filter_light(const Picture& picture, const Settings& settings);
+
+/// The same, with each part of a row handed over once. Several threads call `take`, but not for the same pixels at once.
+void filter_light(const Picture& picture, const Settings& settings, const TakeRow& take);
 
 } // namespace lambent::denoise

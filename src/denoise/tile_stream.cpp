@@ -248,13 +248,13 @@ void TileStream::blend(int y)
 
 void TileStream::write(int y)
 {
-    const std::ptrdiff_t to = static_cast<std::ptrdiff_t>(y) * job_.picture.width + tile_.x0;
     const float* const from = result_.row(0) + (tile_.x0 - first_);
-    const int columns = tile_.x1 - tile_.x0;
+    FilteredRow row{tile_.x0, y, tile_.x1 - tile_.x0, job_.lobe, {}, {}};
     for (int c = 0; c < 3; ++c) {
-        std::copy_n(from + (result_light + c) * pitch_, columns, job_.result.light[at(c)].begin() + to);
-        std::copy_n(from + (result_gap + c) * pitch_, columns, job_.result.gap[at(c)].begin() + to);
+        row.light[at(c)] = from + (result_light + c) * pitch_;
+        row.gap[at(c)] = from + (result_gap + c) * pitch_;
     }
+    job_.take(row);
 }
 
 } // namespace

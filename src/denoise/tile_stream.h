@@ -11,7 +11,7 @@ struct LightJob {
     const Light& light;
     bool lobe; ///< specular: pixels are alike only if their lobes point the same way
     const Settings& settings;
-    FilteredLight& result; ///< planes of the picture's size
+    const TakeRow& take; ///< gets the rows of the result
 };
 
 /// Pixels from (x0, y0) to before (x1, y1).

@@ -186,6 +186,13 @@ void Visibility::load_packet(const Rays& rays, std::size_t first, RTCRayHit16& p
     }
 }
 
+scene::Bounds Visibility::bounds() const
+{
+    RTCBounds box{};
+    rtcGetSceneBounds(world_.get(), &box);
+    return {{box.lower_x, box.lower_y, box.lower_z}, {box.upper_x, box.upper_y, box.upper_z}};
+}
+
 void Visibility::trace(const Rays& rays, Hit* hits) const
 {
     alignas(64) RTCRayHit16 rays16{};

@@ -50,6 +50,9 @@ public:
     Visibility(const Visibility&) = delete;
     Visibility& operator=(const Visibility&) = delete;
 
+    /// A box around all triangles; low above high if there are none.
+    scene::Bounds bounds() const;
+
     /// Limit of the coordinates of a ray's origin and direction, beyond which Embree aborts the program. It is lower
     /// in scenes with very small instances of a shared mesh. Rays beyond the limit, rays with a negative start and
     /// rays with components that are not numbers meet nothing.

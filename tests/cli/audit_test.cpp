@@ -40,8 +40,8 @@ nlohmann::json stats_of(const Outcome& outcome)
 TEST(Audit, PicturesWithoutBouncesAreAuditedOnlyOnRequest)
 {
     const Folder folder;
-    const nlohmann::json plain = stats_of(drawn(folder.path("a.png"), {})),
-                         asked = stats_of(drawn(folder.path("b.png"), {"--audit"}));
+    const nlohmann::json plain = stats_of(drawn(folder.path("a.png"), {"--bounces", "0"})),
+                         asked = stats_of(drawn(folder.path("b.png"), {"--bounces", "0", "--audit"}));
     EXPECT_FALSE(plain.contains("error"));
     EXPECT_FALSE(plain["times_ms"].contains("audit"));
     EXPECT_GT(asked["times_ms"]["audit"], 0.0);
@@ -136,8 +136,8 @@ TEST(Audit, NothingSeenHasNoError)
 TEST(Audit, TheErrorIsThatOfCompare)
 {
     const Folder folder;
-    const nlohmann::json error =
-        stats_of(drawn(folder.path("a.exr"), {"--audit", "--exposure", "2"}, "report"))["error"];
+    const nlohmann::json error = stats_of(
+        drawn(folder.path("a.exr"), {"--bounces", "0", "--audit", "--exposure", "2"}, "report"))["error"];
     const Outcome traced = lambent({"reference", "report", "-o", folder.path("r.exr"), "--size", "128x72",
                                     "--bounces", "0", "--spp", "512", "--seed", "3"});
     ASSERT_EQ(traced.code, 0) << traced.error;

@@ -24,8 +24,16 @@ using testing::Outcome;
 // Drivers keep some memory to the end of the program, which is no leak of ours.
 Outcome drawn(const std::string& output, const std::vector<std::string>& more)
 {
-    std::vector<std::string> words = {
-        "LSAN_OPTIONS=detect_leaks=0", LAMBENT_PROGRAM, "render", "report", "-o", output, "--size", "96x54"};
+    std::vector<std::string> words = {"LSAN_OPTIONS=detect_leaks=0",
+                                      LAMBENT_PROGRAM,
+                                      "render",
+                                      "report",
+                                      "-o",
+                                      output,
+                                      "--size",
+                                      "96x54",
+                                      "--bounces",
+                                      "0"};
     words.insert(words.end(), more.begin(), more.end());
     return testing::run_program("env", words);
 }
@@ -129,7 +137,7 @@ TEST(Vulkan, WithoutADriverItSaysSoAndLeavesNothing)
 {
     const Folder folder;
     const std::string command = "VK_ICD_FILENAMES=/nowhere VK_DRIVER_FILES=/nowhere exec '" LAMBENT_PROGRAM
-                                "' render sphere --backend vulkan -o '" +
+                                "' render sphere --backend vulkan --bounces 0 -o '" +
                                 folder.path("a.png") + "'";
     expect_refused(testing::run_program("sh", {"-c", command}), 4);
     const std::string bake = "VK_ICD_FILENAMES=/nowhere VK_DRIVER_FILES=/nowhere exec '" LAMBENT_PROGRAM

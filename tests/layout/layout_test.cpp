@@ -45,7 +45,7 @@ const std::map<std::string, std::set<std::string>> allowed = {
       "audit", "display", "compare"}},
     {"apps/viewer",
      {"apps/options", "apps/common", "base", "equations", "image", "scene", "environment", "draw",
-      "reference", "compare"}},
+      "reference", "audit", "compare"}},
     {"apps/view", {"apps/options", "apps/common", "apps/viewer", "base", "image", "scene", "environment"}},
     {"apps/serve", {"apps/options", "apps/common", "apps/viewer", "base", "image"}},
     {"apps/report", {"apps/options", "apps/common", "base", "image", "view", "draw", "reference", "compare"}},

@@ -134,7 +134,7 @@ void ViewWindow::expect_saved(std::vector<std::string> render)
     saved("picture.png");
     expect_end();
     render.insert(render.begin(), "render");
-    render.insert(render.end(), {"-o", path("drawn.png")});
+    render.insert(render.end(), {"--bounces", "0", "-o", path("drawn.png")});
     const Outcome drawn = run_program(LAMBENT_PROGRAM, render);
     ASSERT_EQ(drawn.code, 0) << drawn.error;
     ASSERT_TRUE(std::filesystem::exists(path("picture.png"))) << log();

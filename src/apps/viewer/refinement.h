@@ -29,7 +29,10 @@ public:
     bool advance(const std::function<bool()>& may_continue);
 
     /// Whether there are no more steps.
-    bool is_finished() const { return measured_ && (!error_ || error_->relative_rmse <= wanted_error || passes_ >= most_passes); }
+    bool is_finished() const
+    {
+        return measured_ && (!error_ || error_->relative_rmse <= wanted_error || passes_ >= most_passes);
+    }
 
     const draw::Frame& frame() const { return frame_; }
     int passes() const { return passes_; }

@@ -103,16 +103,14 @@ public:
           prepared_(renderer.scene().lights, environment, settings_),
           frame_(blank_frame(settings_, renderer.scene())), tiles_(settings_.width, settings_.height)
     {
-        if (settings_.bounces > 0)
-            full_light_ = std::make_unique<FullLight>(
-                settings_,
-                settings_.keeps_known_light && settings_.bounces > 1 ? renderer.known_light() : nullptr);
     }
 
     bool advance(const GoOn& go_on) override
     {
-        const PictureContext picture =
-            picture_context(renderer_.prepared(settings_.texel_transfer), settings_, prepared_);
+        const PreparedScene& scene = renderer_.prepared(settings_.texel_transfer);
+        if (settings_.bounces > 0 && !full_light_)
+            full_light_ = make_full_light(scene);
+        const PictureContext picture = picture_context(scene, settings_, prepared_);
         ProgressReporter reporter(go_on, done_,
                                   tiles_.count() * (1 + (full_light_ ? full_light_->stages() : 0)));
         const FullLight::ForTiles for_tiles = [&](Tiles& tiles, const std::function<void(int)>& visit) {
@@ -157,6 +155,14 @@ public:
     }
 
 private:
+    std::unique_ptr<FullLight> make_full_light(const PreparedScene& scene) const
+    {
+        const view::PixelArea covered = view::covered_area(scene.visibility().bounds(), prepared_.rays,
+                                                           settings_.width, settings_.height);
+        const bool keeps = settings_.keeps_known_light && settings_.bounces > 1;
+        return std::make_unique<FullLight>(settings_, covered, keeps ? renderer_.known_light() : nullptr);
+    }
+
     // Draws the picture without shadows.
     void draw_tiles(const PictureContext& picture, const FullLight::ForTiles& for_tiles)
     {

@@ -22,12 +22,6 @@ constexpr double rays_of_round = 20000.0, rays_of_last_round = 60000.0;
 // Samples of a pixel in a pass, one of each half.
 constexpr std::uint32_t samples_of_pass = 2;
 
-void add_to_pixel(float* rgb, const glm::vec3& change)
-{
-    for (int c = 0; c < 3; ++c)
-        rgb[c] += change[c];
-}
-
 // Mean of the radiance that pixels with surfaces show.
 float mean_of_covered(const Frame& frame)
 {
@@ -44,10 +38,37 @@ float mean_of_covered(const Frame& frame)
     return mean > 0.0 ? static_cast<float>(mean) : 1.0f;
 }
 
+// The pictures that the light of a class is part of.
+struct Shown {
+    std::vector<image::RadianceImage*> diffuse, specular, lights;
+};
+
+Shown shown_in(Frame& frame)
+{
+    Shown shown{{&frame.radiance}, {&frame.radiance}, {&frame.radiance}};
+    for (Layer& layer : frame.layers) {
+        if (layer.name == "light_ambient")
+            shown.diffuse.push_back(&layer.image);
+        if (layer.name == "light_specular")
+            shown.specular.push_back(&layer.image);
+        if (layer.name == "light_direct")
+            shown.lights.push_back(&layer.image);
+    }
+    return shown;
+}
+
+void add_to_pixel(const std::vector<image::RadianceImage*>& images, int x, int y, const glm::vec3& change)
+{
+    for (image::RadianceImage* const image : images)
+        for (int c = 0; c < 3; ++c)
+            image->pixel(x, y)[c] += change[c];
+}
+
 } // namespace
 
-FullLight::FullLight(const Settings& settings, std::shared_ptr<const WorldCache> known)
-    : settings_(settings), sums_(settings.width, settings.height), tiles_(settings.width, settings.height),
+FullLight::FullLight(const Settings& settings, const view::PixelArea& covered,
+                     std::shared_ptr<const WorldCache> known)
+    : settings_(settings), sums_(covered), tiles_(settings.width, settings.height),
       rounds_(known ? 0 : std::clamp(settings.bounces - 1, 0, most_rounds)), passes_(settings.passes),
       known_(std::move(known))
 {
@@ -114,36 +135,38 @@ bool FullLight::gather(const PictureContext& picture, const ForTiles& for_tiles,
     return true;
 }
 
+// Replaces the light of one class in a part of a row.
+void FullLight::apply(const denoise::FilteredRow& row, const std::vector<image::RadianceImage*>& images) const
+{
+    const denoise::Picture& known = sums_.picture;
+    const denoise::Rgb& exact = row.specular ? known.specular.exact : known.diffuse.exact;
+    for (int i = 0; i < row.columns; ++i) {
+        const int x = sums_.area.x + row.x + i, y = sums_.area.y + row.y;
+        const std::size_t pixel = sums_.index(x, y), column = static_cast<std::size_t>(i);
+        const float covered = known.guides.coverage[pixel];
+        if (covered > 0.0f)
+            add_to_pixel(images, x, y,
+                         covered *
+                             (glm::vec3(row.light[0][column], row.light[1][column], row.light[2][column]) -
+                              at(exact, pixel)));
+    }
+}
+
 void FullLight::apply(Frame& frame) const
 {
-    const denoise::Filtered filtered = denoise::filter_light(sums_.picture, {settings_.white});
-    const denoise::Picture& known = sums_.picture;
-    const auto width = static_cast<std::size_t>(settings_.width);
-    const auto layer = [&](const char* name) {
-        const auto found = std::find_if(frame.layers.begin(), frame.layers.end(),
-                                        [&](const Layer& l) { return l.name == name; });
-        return found == frame.layers.end() ? nullptr : &found->image;
-    };
-    image::RadianceImage* const images[] = {layer("light_ambient"), layer("light_specular"),
-                                            layer("light_direct")};
-    tbb::parallel_for(0, settings_.height, [&](int y) {
-        for (int x = 0; x < settings_.width; ++x) {
-            const std::size_t pixel = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
-            const float covered = known.guides.coverage[pixel];
-            if (!(covered > 0.0f))
+    const Shown shown = shown_in(frame);
+    denoise::filter_light(sums_.picture, {settings_.white}, [&](const denoise::FilteredRow& row) {
+        apply(row, row.specular ? shown.specular : shown.diffuse);
+    });
+    const view::PixelArea& area = sums_.area;
+    tbb::parallel_for(area.y, area.y + area.height, [&](int y) {
+        for (int x = area.x; x < area.x + area.width; ++x) {
+            const std::size_t pixel = sums_.index(x, y);
+            if (!(sums_.picture.guides.coverage[pixel] > 0.0f))
                 continue;
-            const glm::vec3 changes[] = {
-                covered * (at(filtered.diffuse.light, pixel) - at(known.diffuse.exact, pixel)),
-                covered * (at(filtered.specular.light, pixel) - at(known.specular.exact, pixel)),
-                at(sums_.lights, pixel) / std::max(sums_.samples[pixel], 1.0f)};
-            float* const out = frame.radiance.pixel(x, y);
-            for (std::size_t i = 0; i < 3; ++i) {
-                add_to_pixel(out, changes[i]);
-                if (images[i])
-                    add_to_pixel(images[i]->pixel(x, y), changes[i]);
-            }
-            for (int c = 0; c < 3; ++c)
-                out[c] = std::max(out[c], 0.0f); // what is less is noise of the lights' shadows at edges
+            add_to_pixel(shown.lights, x, y, at(sums_.lights, pixel) / std::max(sums_.samples[pixel], 1.0f));
+            for (int c = 0; c < 3; ++c) // what is less is noise of the lights' shadows at edges
+                frame.radiance.pixel(x, y)[c] = std::max(frame.radiance.pixel(x, y)[c], 0.0f);
         }
     });
 }

@@ -16,8 +16,10 @@ namespace lambent::draw {
 /// knew, so that each adds a bounce; then rays from what the camera sees. May be stopped between tiles.
 class FullLight {
 public:
-    /// `known`: a cache to take the light from, filled; null: it is filled first.
-    FullLight(const Settings& settings, std::shared_ptr<const WorldCache> known);
+    /// `covered`: the area of the picture in which surfaces can be seen. `known`: a cache to take the light from, filled;
+    /// null: it is filled first.
+    FullLight(const Settings& settings, const view::PixelArea& covered,
+              std::shared_ptr<const WorldCache> known);
 
     /// The cache, once it is filled; null before, and where one bounce needs none.
     std::shared_ptr<const WorldCache> known() const { return round_ == rounds_ ? known_ : nullptr; }
@@ -47,6 +49,7 @@ private:
     bool fill_cache(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame);
     bool gather(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame);
     int spacing(bool last) const;
+    void apply(const denoise::FilteredRow& row, const std::vector<image::RadianceImage*>& images) const;
 
     const Settings& settings_;
     LightSums sums_;

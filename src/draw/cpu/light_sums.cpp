@@ -43,11 +43,11 @@ void make_mean(LightSums& sums, std::size_t pixel)
 
 } // namespace
 
-LightSums::LightSums(int width, int height)
+LightSums::LightSums(const view::PixelArea& pixel_area) : area(pixel_area)
 {
-    picture.width = width;
-    picture.height = height;
-    const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    picture.width = area.width;
+    picture.height = area.height;
+    const std::size_t pixels = static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height);
     denoise::Guides& guides = picture.guides;
     for (denoise::Plane* const plane :
          {&guides.coverage, &guides.depth, &guides.alpha, &guides.metalness, &samples, &seen[0], &seen[1]})

@@ -3,6 +3,7 @@
 
 #include "denoise/light_filter.h"
 #include "draw/cpu/light_class.h"
+#include "view/covered_area.h"
 
 #include <glm/vec3.hpp>
 
@@ -25,6 +26,7 @@ inline glm::vec3 at(const denoise::Rgb& planes, std::size_t pixel)
 
 /// What is known of the surfaces that pixels show, and what the rays that leave them found.
 struct LightSums {
+    view::PixelArea area;     ///< that the planes cover: no other pixel shows a surface
     denoise::Picture picture; ///< guides, exact light and albedo: sums, until make_means(); halves: means
     denoise::Rgb
         lights; ///< sum of the light of sources without size as it is, less what it would be without shadows
@@ -32,7 +34,18 @@ struct LightSums {
     std::array<denoise::Plane, 2> seen; ///< camera rays of each half that met a surface
 
     /// Sums of zero.
-    LightSums(int width, int height);
+    explicit LightSums(const view::PixelArea& area);
+
+    /// Whether the planes have a pixel of the picture, and its index in them.
+    bool has(int x, int y) const
+    {
+        return x >= area.x && y >= area.y && x < area.x + area.width && y < area.y + area.height;
+    }
+    std::size_t index(int x, int y) const
+    {
+        return static_cast<std::size_t>(y - area.y) * static_cast<std::size_t>(area.width) +
+               static_cast<std::size_t>(x - area.x);
+    }
 
     denoise::Light& light(std::size_t light_class)
     {

@@ -167,16 +167,20 @@ void RayGatherer::gather(const TileArea& area, std::uint32_t sample, const Frame
     first_.collect(seen_, light_, found_);
     const Fragments& f = seen_.fragments();
     const std::size_t half = sample % 2;
+    const auto width = static_cast<std::uint32_t>(picture_.settings.width);
+    const auto index_of = [&](const WaveRay& sight) {
+        return sums.index(static_cast<int>(sight.owner % width), static_cast<int>(sight.owner / width));
+    };
     for (const Fragments::Group& group : f.groups)
         for (std::size_t at = group.begin; at < group.end; ++at) {
             if (f.weight[at] <= 0.0f)
                 continue;
-            const std::size_t pixel = sights_[f.pixel[at]].owner;
+            const std::size_t pixel = index_of(sights_[f.pixel[at]]);
             sums.add(pixel, half, found_[at]);
             add_to(sums.lights, pixel, found_[at].lights_found - found_[at].lights_unshadowed);
         }
     for (const WaveRay& sight : sights_)
-        sums.samples[sight.owner] += 1.0f;
+        sums.samples[index_of(sight)] += 1.0f;
 }
 
 void RayGatherer::fill(const TileArea& area, const Filling& filling, const Frame& frame)

@@ -49,7 +49,7 @@ private:
     const WorldCache* cache_;
     RayWave seen_, near_;
     RayStep first_, second_;      ///< the steps from what the camera sees, and from what that step met
-    std::vector<WaveRay> sights_; ///< camera rays; owner: the pixel
+    std::vector<WaveRay> sights_; ///< camera rays; owner: the pixel's number in the picture
     std::vector<WaveRay>
         further_; ///< rays along lobes whose hits are asked further; owner: index into light_
     std::vector<glm::vec3> near_light_;

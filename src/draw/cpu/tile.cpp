@@ -170,9 +170,10 @@ void TileDrawer::resolve_classes(LightSums& sums, const TileArea& area) const
             if (weight <= 0.0f || material.unlit)
                 continue;
             const int place = static_cast<int>(f.pixel[at]);
-            const std::size_t pixel = static_cast<std::size_t>(area.y + place / area.width) *
-                                          static_cast<std::size_t>(picture_.settings.width) +
-                                      static_cast<std::size_t>(area.x + place % area.width);
+            const int x = area.x + place % area.width, y = area.y + place / area.width;
+            if (!sums.has(x, y))
+                continue;
+            const std::size_t pixel = sums.index(x, y);
             const glm::vec3 ambient = three(column_ambient, at), irradiance = three(column_irradiance, at);
             add_to(sums.picture.diffuse.exact, pixel, weight * ambient);
             add_to(sums.picture.specular.exact, pixel, weight * three(column_reflected, at));
