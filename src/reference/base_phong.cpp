@@ -28,6 +28,13 @@ double Base<view::Model::phong>::alpha() const
     return in_double::phong_alpha(phong_.exponent);
 }
 
+// The diffuse colour, and the facets' reflectance at the angle of the mirrored view.
+glm::dvec3 Base<view::Model::phong>::albedo() const
+{
+    return phong_.diffuse +
+           from_text(in_double::fresnel_schlick(to_text(phong_.specular), glm::dot(normal_, view_)));
+}
+
 glm::dvec3 Base<view::Model::phong>::value(const glm::dvec3& light) const
 {
     const double NL = glm::dot(normal_, light);

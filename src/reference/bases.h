@@ -25,6 +25,7 @@ struct BaseParts {
 ///   value()    BRDF times the cosine, RGB per steradian; 0 below the surface
 ///   density()  density of draw() at a direction, per steradian
 ///   draw()     a sampled direction of incoming light, from two numbers in [0, 1); may be below the surface
+///   albedo()   share of white light from everywhere that is reflected to the viewer, RGB
 ///   parts()    its BaseParts
 ///   alpha()    the roughness of its highlight
 template <view::Model model>
@@ -35,6 +36,7 @@ class Base<view::Model::ggx> {
 public:
     Base(const Surface& surface, double compensation);
     glm::dvec3 value(const glm::dvec3& light) const { return facets_.value(light); }
+    glm::dvec3 albedo() const { return facets_.share(); }
     double density(const glm::dvec3& light) const;
     glm::dvec3 draw(const glm::dvec2& u) const;
     const BaseParts& parts() const { return parts_; }
@@ -50,6 +52,7 @@ class Base<view::Model::phong> {
 public:
     Base(const Surface& surface, double compensation);
     glm::dvec3 value(const glm::dvec3& light) const;
+    glm::dvec3 albedo() const;
     double density(const glm::dvec3& light) const;
     glm::dvec3 draw(const glm::dvec2& u) const;
     const BaseParts& parts() const { return parts_; }

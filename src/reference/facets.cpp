@@ -36,6 +36,13 @@ glm::dvec3 Facets::value(const glm::dvec3& light) const
                                          : in_double::brdf_metallic(m, parts, to_text(normal), V, L));
 }
 
+glm::dvec3 Facets::share() const
+{
+    const in_double::Metallic m{to_text(base), metalness, to_text(alpha), to_text(tangent), compensation};
+    const in_double::Reflectance r = in_double::reflectance_metallic(m, to_text(albedo));
+    return from_text(r.plain) + from_text(r.grazing) + from_text(r.diffuse);
+}
+
 double Facets::density(const glm::dvec3& light) const
 {
     const glm::dvec3 sum = view + light;

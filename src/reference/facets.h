@@ -20,6 +20,9 @@ struct Facets {
     /// BRDF times the cosine, RGB per steradian; 0 below the surface.
     glm::dvec3 value(const glm::dvec3& light) const;
 
+    /// Directional albedo for this view, of facets and diffuse base together, RGB.
+    glm::dvec3 share() const;
+
     /// Density of draw() at a direction, per steradian.
     double density(const glm::dvec3& light) const;
 

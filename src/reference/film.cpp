@@ -6,7 +6,7 @@
 
 namespace lambent::reference {
 
-Film::Film(int width, int height, double cut, bool unlit)
+Film::Film(int width, int height, double cut, bool unlit, bool firsts)
     : width_(width), height_(height), columns_((width + tile_size - 1) / tile_size),
       rows_((height + tile_size - 1) / tile_size), cut_(cut)
 {
@@ -14,6 +14,8 @@ Film::Film(int width, int height, double cut, bool unlit)
     tiles_.resize(static_cast<std::size_t>(tile_count()));
     if (unlit)
         unlit_.resize(4 * pixels_.size(), 0.0f);
+    if (firsts)
+        firsts_.resize(pixels_.size());
 }
 
 Film::Area Film::area(int tile) const
@@ -40,6 +42,20 @@ void Film::add(int x, int y, int number, const Sight& sight)
     for (int c = 0; c < 3; ++c)
         own[c] += static_cast<float>(sight.radiance[c]);
     own[3] += 1.0f;
+}
+
+void Film::add(int x, int y, int number, const Sight& sight, const FirstSurface& first)
+{
+    FirstSums& sums = firsts_[index(x, y)];
+    sums.emitted += glm::vec3(first.emitted);
+    for (int c = 0; c < 3; ++c) {
+        const auto channel = static_cast<std::size_t>(c),
+                   replicate = static_cast<std::size_t>(number % replicates);
+        sums.reflected[channel][replicate] += static_cast<float>(sight.radiance[c] - first.emitted[c]);
+        sums.albedo[channel][replicate] += static_cast<float>(first.albedo[c]);
+    }
+    sums.normal += glm::vec3(first.normal);
+    sums.depth += static_cast<float>(first.depth);
 }
 
 void Film::Totals::add(const Totals& more)
@@ -172,6 +188,49 @@ image::RadianceImage Film::variance() const
                 static_cast<float>(estimate(pixels_[index(x, y)].sums[c], samples, cut_).variance);
     });
     return image;
+}
+
+namespace {
+
+// A ratio's variance is that of its residuals. [linearisation: Cochran 1977, "Sampling techniques", section 2.11]
+Estimate residual_of(const Sums& reflected, const Sums& albedo, int samples)
+{
+    double light = 0.0, share = 0.0;
+    for (std::size_t r = 0; r < replicates; ++r) {
+        light += static_cast<double>(reflected[r]);
+        share += static_cast<double>(albedo[r]);
+    }
+    const double ratio = share > 0.0 ? light / share : 0.0;
+    Sums residuals = reflected;
+    for (std::size_t r = 0; r < replicates; ++r)
+        residuals[r] -= static_cast<float>(ratio * static_cast<double>(albedo[r]));
+    return estimate(residuals, samples, std::numeric_limits<double>::infinity());
+}
+
+} // namespace
+
+FirstSurfaces Film::first_surfaces() const
+{
+    const image::RadianceImage black = image::black_image(width_, height_);
+    FirstSurfaces firsts{
+        black, black, black, black, std::vector<float>(pixels_.size()), std::vector<int>(pixels_.size())};
+    for_each_pixel([&](int x, int y, int samples) {
+        const std::size_t i = index(x, y);
+        const FirstSums& sums = firsts_[i];
+        const float share = 1.0f / static_cast<float>(samples);
+        for (int c = 0; c < 3; ++c) {
+            firsts.emitted.pixel(x, y)[c] = share * sums.emitted[c];
+            const auto channel = static_cast<std::size_t>(c);
+            firsts.albedo.pixel(x, y)[c] = static_cast<float>(
+                estimate(sums.albedo[channel], samples, std::numeric_limits<double>::infinity()).mean);
+            firsts.variance.pixel(x, y)[c] = static_cast<float>(
+                residual_of(sums.reflected[channel], sums.albedo[channel], samples).variance);
+            firsts.normal.pixel(x, y)[c] = share * sums.normal[c];
+        }
+        firsts.depth[i] = share * sums.depth;
+        firsts.samples[i] = samples;
+    });
+    return firsts;
 }
 
 } // namespace lambent::reference

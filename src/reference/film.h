@@ -2,8 +2,9 @@
 #pragma once
 
 #include "image/image.h"
-#include "reference/samples/estimate.h"
+#include "reference/first_surface.h"
 #include "reference/path.h"
+#include "reference/samples/estimate.h"
 
 #include <cstddef>
 #include <optional>
@@ -18,7 +19,7 @@ struct Noise {
 };
 
 /// Mean and variance of every pixel. All pixels of a square tile have the same number of samples. Takes about 100
-/// bytes per pixel.
+/// bytes per pixel, with first surfaces 220 more.
 class Film {
 public:
     static constexpr int tile_size = 16;
@@ -28,8 +29,8 @@ public:
     static constexpr double least_pixels = 30.0;
 
     /// `cut`: larger values count as this in estimates of noise. `unlit`: whether samples may show surfaces without
-    /// lighting. Throws std::bad_alloc.
-    Film(int width, int height, double cut, bool unlit = false);
+    /// lighting. `firsts`: whether first surfaces are kept. Throws std::bad_alloc.
+    Film(int width, int height, double cut, bool unlit = false, bool firsts = false);
 
     struct Area {
         int x, y, width, height;
@@ -42,6 +43,9 @@ public:
 
     /// Adds sample `number` of a pixel. Tiles may be filled in parallel, each by one thread.
     void add(int x, int y, int number, const Sight& sight);
+
+    /// Adds what the ray of a sample met first, after the sample itself. Only for a film that keeps it.
+    void add(int x, int y, int number, const Sight& sight, const FirstSurface& first);
 
     /// Sums up a tile. All its pixels must have their samples with numbers below `count`.
     void finish(int tile, int count);
@@ -65,11 +69,19 @@ public:
     image::RadianceImage radiance() const;
     /// RGB variance of each value of radiance(), not cut; infinite after one sample.
     image::RadianceImage variance() const;
+    /// Means of first surfaces. Only of a film that keeps them.
+    FirstSurfaces first_surfaces() const;
 
 private:
     struct Pixel {
         std::array<Sums, 3> sums{};
         float coverage = 0.0f;
+    };
+
+    struct FirstSums {
+        std::array<Sums, 3> reflected{}, albedo{};
+        glm::vec3 emitted{0.0f}, normal{0.0f};
+        float depth = 0.0f;
     };
 
     // Sums over some pixels and all channels.
@@ -99,7 +111,8 @@ private:
     double cut_;
     std::vector<Pixel> pixels_;
     std::vector<Tile> tiles_;
-    std::vector<float> unlit_; ///< RGBA sums for RadianceImage::unlit; empty if no surface is unlit
+    std::vector<float> unlit_;      ///< RGBA sums for RadianceImage::unlit; empty if no surface is unlit
+    std::vector<FirstSums> firsts_; ///< empty: not kept
 };
 
 } // namespace lambent::reference

@@ -94,6 +94,14 @@ glm::dvec3 Reflection::value(const glm::dvec3& light) const
     return value;
 }
 
+glm::dvec3 Reflection::albedo() const
+{
+    glm::dvec3 albedo = std::visit([](const auto& base) { return base.albedo(); }, base_);
+    for (const Layer& layer : layers_)
+        albedo = layer.there * layer.facets.share() + layer.left * albedo;
+    return albedo;
+}
+
 double Reflection::density(const glm::dvec3& light) const
 {
     double density = std::visit([&](const auto& base) { return base.density(light); }, base_);

@@ -50,6 +50,10 @@ public:
     /// It may be below the surface, where value() is 0.
     glm::dvec3 draw(const glm::dvec2& u) const;
 
+    /// Share of white light from everywhere that is reflected to the viewer (directional albedo), RGB: exact but for
+    /// the Phong model, which has no closed form, and by whose colours it is estimated.
+    glm::dvec3 albedo() const;
+
     /// Whether light from most directions is reflected to the viewer.
     bool is_wide() const;
 

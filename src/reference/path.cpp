@@ -41,7 +41,10 @@ glm::vec3 start_beside(const glm::dvec3& position, const glm::dvec3& towards)
 
 class Path {
 public:
-    Path(const World& world, SampleSequence& sampler) : world_(world), sampler_(sampler) {}
+    Path(const World& world, SampleSequence& sampler, FirstSurface* first)
+        : world_(world), sampler_(sampler), first_(first)
+    {
+    }
 
     Sight follow(const SightRay& sight);
 
@@ -56,11 +59,14 @@ private:
     glm::dvec3 background(const glm::dvec3& direction);
     glm::dvec3 escaped(const glm::dvec3& direction) const;
     bool survives(int bounce);
+    void note_background(const glm::dvec3& radiance);
+    void note_surface(const Surface& surface, const glm::dvec3& origin, const glm::dvec3& emission);
     glm::dvec3 scattered(const Surface& surface);
     bool below(const Surface& surface, const glm::dvec3& direction) const;
 
     const World& world_;
     SampleSequence& sampler_;
+    FirstSurface* const first_;  ///< null: not asked for
     glm::dvec3 throughput_{1.0}; ///< of the path so far
     glm::dvec3 next_{0.0};       ///< sampled direction in which the path continues
     double density_ = 0.0;       ///< density of next_; 0: the path ends
@@ -251,6 +257,23 @@ bool Path::survives(int bounce)
     return true;
 }
 
+// The noise of a blurred background is for the denoiser to take away; any other is known as it is.
+void Path::note_background(const glm::dvec3& radiance)
+{
+    const bool is_noisy = world_.background.kind == view::Background::Kind::blurred;
+    *first_ = {};
+    (is_noisy ? first_->albedo : first_->emitted) = is_noisy ? glm::dvec3(1.0) : radiance;
+}
+
+void Path::note_surface(const Surface& surface, const glm::dvec3& origin, const glm::dvec3& emission)
+{
+    first_->emitted = emission;
+    first_->albedo = surface.unlit ? glm::dvec3(0.0)
+                                   : Reflection(surface, world_.model, world_.energy_compensation).albedo();
+    first_->normal = surface.normal;
+    first_->depth = glm::length(surface.position - origin);
+}
+
 Sight Path::follow(const SightRay& sight)
 {
     Sight seen;
@@ -264,15 +287,20 @@ Sight Path::follow(const SightRay& sight)
             open ? trace::Hit()
                  : first_obstacle(world_, ray, bounce == 0 ? RayOf::camera : RayOf::light, sampler_);
         if (!hit.found()) {
-            if (bounce == 0)
-                seen.radiance = background(direction);
-            else
+            if (bounce > 0) {
                 seen.radiance += escaped(direction);
+                return seen;
+            }
+            seen.radiance = background(direction);
+            if (first_)
+                note_background(seen.radiance);
             return seen;
         }
         const Surface surface = world_.surfaces->at(hit, direction);
         seen.coverage = 1.0;
         seen.radiance += throughput_ * emitted(hit, surface, bounce);
+        if (bounce == 0 && first_)
+            note_surface(surface, sight.origin, seen.radiance);
         seen.unlit = seen.unlit || (bounce == 0 && surface.unlit);
         if (surface.unlit || (bounce > 0 && bounce >= world_.bounces))
             return seen;
@@ -287,9 +315,9 @@ Sight Path::follow(const SightRay& sight)
 
 } // namespace
 
-Sight trace_path(const World& world, const SightRay& ray, SampleSequence& sampler)
+Sight trace_path(const World& world, const SightRay& ray, SampleSequence& sampler, FirstSurface* first)
 {
-    return Path(world, sampler).follow(ray);
+    return Path(world, sampler, first).follow(ray);
 }
 
 } // namespace lambent::reference

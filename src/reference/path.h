@@ -3,6 +3,7 @@
 
 #include "reference/emitters.h"
 #include "reference/environment_light.h"
+#include "reference/first_surface.h"
 #include "reference/lens.h"
 #include "reference/samples/sampler.h"
 #include "reference/surface.h"
@@ -42,7 +43,9 @@ struct Sight {
     bool unlit = false; ///< whether that surface is unlit
 };
 
-/// One sample of the light along a camera ray: an unbiased, noisy estimate.
-Sight trace_path(const World& world, const SightRay& ray, SampleSequence& sampler);
+/// One sample of the light along a camera ray: an unbiased, noisy estimate. `first`, if not null, receives what the ray
+/// meets; the sample is the same.
+Sight trace_path(const World& world, const SightRay& ray, SampleSequence& sampler,
+                 FirstSurface* first = nullptr);
 
 } // namespace lambent::reference

@@ -49,14 +49,15 @@ Lens lens_of(const Settings& settings)
                                   : Lens(settings.camera, settings.width, settings.height);
 }
 
-Sight sample_pixel(const World& world, const Lens& lens, const SeededPixel& pixel, int number)
+Sight sample_pixel(const World& world, const Lens& lens, const SeededPixel& pixel, int number,
+                   FirstSurface* first)
 {
     const std::uint32_t sequence =
         mixed(mixed(static_cast<std::uint32_t>(pixel.x), pixel.seed), static_cast<std::uint32_t>(pixel.y));
     SampleSequence sampler(mixed(sequence, static_cast<std::uint32_t>(number % replicates)),
                            static_cast<std::uint32_t>(number / replicates));
     const std::array<double, 4> place = sampler.next4();
-    return trace_path(world, lens.through(pixel.x + place[0], pixel.y + place[1]), sampler);
+    return trace_path(world, lens.through(pixel.x + place[0], pixel.y + place[1]), sampler, first);
 }
 
 bool mend(Sight& sight)

@@ -38,8 +38,9 @@ struct SeededPixel {
 };
 
 /// Sample `number` of a pixel, of the replicate `number` % replicates (samples/estimate.h). Its radiance may be NaN or
-/// infinite.
-Sight sample_pixel(const World& world, const Lens& lens, const SeededPixel& pixel, int number);
+/// infinite. `first` as of trace_path.
+Sight sample_pixel(const World& world, const Lens& lens, const SeededPixel& pixel, int number,
+                   FirstSurface* first = nullptr);
 
 /// Whether the radiance is finite; else it becomes black.
 bool mend(Sight& sight);

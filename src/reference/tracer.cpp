@@ -26,7 +26,7 @@ class Tracer {
 public:
     Tracer(const World& world, const Settings& settings)
         : world_(world), settings_(settings), lens_(lens_of(settings)),
-          film_(settings.width, settings.height, settings.cut, world.has_unlit),
+          film_(settings.width, settings.height, settings.cut, world.has_unlit, settings.first_surfaces),
           order_(scattered_tiles(film_.columns(), film_.rows()))
     {
     }
@@ -37,12 +37,16 @@ public:
 
     Result result() const
     {
-        return {film_.radiance(), film_.variance(), noise_, samples_, broken_, refused_};
+        Result result{film_.radiance(), film_.variance(), noise_, samples_, broken_, refused_, std::nullopt};
+        if (settings_.first_surfaces)
+            result.first_surfaces = film_.first_surfaces();
+        return result;
     }
 
 private:
     void round(const GoOn& go_on, Least least);
     void sample_tile(int tile, int count);
+    void add_sample(const SeededPixel& pixel, int number);
     std::vector<int> next_counts() const;
     Progress progress() const;
     void ask(const GoOn& go_on, bool may_be_stopped, bool may_time_out);
@@ -65,17 +69,27 @@ private:
     std::mutex asking_;
 };
 
+void Tracer::add_sample(const SeededPixel& pixel, int number)
+{
+    FirstSurface first;
+    const bool keeps_first = settings_.first_surfaces;
+    Sight sight = sample_pixel(world_, lens_, pixel, number, keeps_first ? &first : nullptr);
+    if (!mend(sight)) {
+        ++broken_;
+        first.emitted = glm::dvec3(0.0); // as the sample is black
+    }
+    film_.add(pixel.x, pixel.y, number, sight);
+    if (keeps_first)
+        film_.add(pixel.x, pixel.y, number, sight, first);
+}
+
 void Tracer::sample_tile(int tile, int count)
 {
     const Film::Area a = film_.area(tile);
     for (int y = a.y; y < a.y + a.height; ++y)
         for (int x = a.x; x < a.x + a.width; ++x) {
-            for (int i = film_.samples(tile); i < count; ++i) {
-                Sight sight = sample_pixel(world_, lens_, {x, y, settings_.seed}, i);
-                if (!mend(sight))
-                    ++broken_;
-                film_.add(x, y, i, sight);
-            }
+            for (int i = film_.samples(tile); i < count; ++i)
+                add_sample({x, y, settings_.seed}, i);
         }
     film_.finish(tile, count);
 }

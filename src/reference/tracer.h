@@ -33,6 +33,7 @@ struct Settings : view::Picture {
     /// biases values downwards by a small part of the noise. [Kirk and Arvo 1991]
     bool adaptive = false;
     std::uint32_t seed = 0;
+    bool first_surfaces = false; ///< whether the result has them; the light is the same
 };
 
 struct Progress {
@@ -49,6 +50,7 @@ struct Result {
     double samples = 0.0;          ///< per pixel, on average
     std::uint64_t broken = 0;      ///< samples that were not finite and count as black
     bool stopped = false;          ///< whether `go_on` returned false
+    std::optional<FirstSurfaces> first_surfaces; ///< if they were asked for
 };
 
 /// Called repeatedly, by one thread at a time; returns whether to continue.
