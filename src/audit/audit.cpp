@@ -17,12 +17,18 @@ namespace {
 
 using Color = glm::dvec3;
 
-// What the parts of an audit are random by. None has a seed that a user would give to the reference.
+// What the parts of an audit are random by.
 enum class Random : std::uint32_t { places = 0x61756469, glance, choice, bootstrap, light };
 
 std::uint32_t seed_of(const Settings& settings, Random part)
 {
     return reference::mixed(settings.seed, static_cast<std::uint32_t>(part));
+}
+
+// The seed of a part's paths: with a bit that no seed has which a user can give to the picture.
+std::uint32_t path_seed(std::uint32_t seed)
+{
+    return seed | 1u << 31;
 }
 
 Color cut_off(const Color& light, double cut)
@@ -74,7 +80,7 @@ std::vector<Glance> glances(const std::vector<Candidate>& places, const image::R
     tbb::parallel_for(std::size_t{0}, places.size(), [&](std::size_t i) {
         const Place& at = places[i].at;
         const reference::PixelEstimate one =
-            light({at.x, at.y, settings.glance_samples, seed_of(settings, Random::glance)});
+            light({at.x, at.y, settings.glance_samples, path_seed(seed_of(settings, Random::glance))});
         const Color off = shown(picture, at, settings.cut) - cut_off(one.radiance, settings.cut);
         seen[i] = {mean(off * off), cut_noise(one, settings.cut)};
     });
@@ -148,7 +154,7 @@ Observation observe(const Audited& audited, const Color& picture, const Settings
     std::array<Color, 4> part;
     for (std::uint32_t i = 0; i < part.size(); ++i)
         part[i] = light({audited.at.x, audited.at.y, audited.samples,
-                         reference::mixed(seed_of(settings, Random::light), i)})
+                         path_seed(reference::mixed(seed_of(settings, Random::light), i))})
                       .radiance;
     const double cut = settings.cut;
     Observation seen{audited.weight, {}, {}};

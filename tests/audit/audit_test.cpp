@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <mutex>
 
 namespace lambent::audit::testing {
 namespace {
@@ -201,6 +203,21 @@ TEST(Audit, the_number_of_threads_changes_nothing)
     EXPECT_EQ(one.relative_mse, three.relative_mse);
     EXPECT_EQ(one.low, three.low);
     EXPECT_EQ(one.high, three.high);
+}
+
+// Users give seeds up to 2^30 to the pictures that are audited: none of an audit's is one of these, so its noise is
+// independent of the picture's.
+TEST(Audit, no_seed_is_one_that_a_picture_could_have)
+{
+    std::mutex mutex;
+    std::uint32_t least = std::numeric_limits<std::uint32_t>::max();
+    const PixelLight light = noisy(half, 0.1);
+    measured(picture_of(width, height, half), {}, [&](const reference::PixelTracer::Pixel& pixel) {
+        const std::lock_guard lock(mutex);
+        least = std::min(least, pixel.seed);
+        return light(pixel);
+    });
+    EXPECT_GT(least, 1u << 30);
 }
 
 } // namespace
