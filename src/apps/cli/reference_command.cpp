@@ -1,6 +1,8 @@
 #include "apps/cli/commands.h"
 #include "apps/common/console.h"
+#include "apps/common/denoise_reference.h"
 #include "apps/common/interrupt.h"
+#include "apps/common/picture_audit.h"
 #include "apps/common/picture_file.h"
 #include "apps/common/picture_setup.h"
 #include "apps/common/reference_setup.h"
@@ -85,6 +87,37 @@ Warnings warnings_of(const reference::Result& result)
     return warnings;
 }
 
+// What was traced, and how.
+struct Traced {
+    const ReferenceArguments& arguments;
+    const reference::Settings& settings;
+    const scene::Scene& scene;
+    const std::optional<image::RadianceImage>& environment;
+};
+
+// A picture without its noise, and its measured error.
+struct Filtered {
+    image::RadianceImage picture;
+    std::optional<audit::Error> error;
+};
+
+Filtered filter(const Traced& traced, const reference::Result& result, const Console& console,
+                Stopwatch& watch)
+{
+    Filtered filtered{denoised(result), std::nullopt};
+    watch.lap("denoise");
+    if (!traced.arguments.audit)
+        return filtered;
+    filtered.error = measured_error(traced.settings, traced.scene,
+                                    traced.environment ? &*traced.environment : nullptr, filtered.picture);
+    watch.lap("audit");
+    if (filtered.error)
+        console.remark(result.noise ? text(in_words(*filtered.error), "; noise before the filter ",
+                                           percent(result.noise->covered))
+                                    : in_words(*filtered.error));
+    return filtered;
+}
+
 } // namespace
 
 void run(const ReferenceArguments& arguments)
@@ -120,12 +153,18 @@ void run(const ReferenceArguments& arguments)
     watch.lap("trace");
     if (!arguments.variance.empty())
         image::write_radiance(result.variance, arguments.variance);
+    const Filtered filtered = arguments.denoise
+                                  ? filter({arguments, settings, scene, environment}, result, console, watch)
+                                  : Filtered();
     const bool transparent = settings.background.kind == view::Background::Kind::none;
-    write_picture(result.radiance, picture.display, transparent, picture.output);
+    write_picture(arguments.denoise ? filtered.picture : result.radiance, picture.display, transparent,
+                  picture.output, filtered.error ? notes_of(*filtered.error) : image::Notes());
     watch.lap("write");
     console.remark(text("wrote ", picture.output));
     if (picture.common.stats_json) {
         Json stats = describe(arguments, scene, result);
+        if (arguments.denoise && arguments.audit)
+            stats["denoised_error"] = filtered.error ? to_json(*filtered.error) : Json(nullptr);
         add_cost(watch, stats);
         print(stats);
     }

@@ -49,6 +49,15 @@ std::optional<audit::Error> PictureAudit::error_of(const image::RadianceImage& p
     });
 }
 
+std::optional<audit::Error> measured_error(const reference::Settings& truth, const scene::Scene& scene,
+                                           const image::RadianceImage* panorama,
+                                           const image::RadianceImage& picture)
+{
+    audit::Settings settings;
+    settings.cut = truth.cut;
+    return audit::measure(scene, panorama, truth, picture, settings);
+}
+
 std::string in_words(const audit::Error& error)
 {
     return text("error ", in_percent(error.relative_rmse), " % (", in_percent(error.low), " to ",

@@ -5,6 +5,7 @@
 #include "audit/audit.h"
 #include "image/notes.h"
 #include "reference/pixel_tracer.h"
+#include "reference/tracer.h"
 #include "scene/scene.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -35,6 +36,13 @@ private:
     double cut_;
     std::unique_ptr<reference::PixelTracer> tracer_; ///< uses panorama_, and is why this is not copied
 };
+
+/// The error of a picture (RGBA before exposure) that was path-traced with these settings, of which limits and seed have no
+/// effect: the audit's random numbers are independent of any seed that a user can give. `panorama`: null: black. Throws
+/// Error(no_device).
+std::optional<audit::Error> measured_error(const reference::Settings& truth, const scene::Scene& scene,
+                                           const image::RadianceImage* panorama,
+                                           const image::RadianceImage& picture);
 
 /// "error 3.1 % (2.7 to 3.6)"
 std::string in_words(const audit::Error& error);

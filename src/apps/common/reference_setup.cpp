@@ -32,6 +32,7 @@ reference::Settings reference_settings(const ReferenceArguments& arguments, cons
     settings.lights = lights_asked(arguments.picture, scene.origin);
     settings.bounces = arguments.picture.bounces;
     settings.seed = arguments.seed;
+    settings.first_surfaces = arguments.denoise;
     settings.cut = 1.0 / static_cast<double>(arguments.picture.display.exposure);
     if (arguments.seconds)
         settings.seconds = *arguments.seconds;

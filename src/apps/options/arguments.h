@@ -74,6 +74,8 @@ struct ReferenceArguments {
     bool uniform = false;          ///< the same number of samples for every pixel
     std::uint32_t seed = 0;
     std::string variance; ///< file; empty: none
+    bool denoise = false; ///< filter the picture
+    bool audit = true;    ///< measure the filtered picture's error
 };
 
 /// Which error the heat map shows.

@@ -34,7 +34,17 @@ const std::vector<Group<ReferenceArguments>>& groups<ReferenceArguments>()
                   "at least two samples per pixel"),
           R("uniform")
               .at([](auto& a) -> auto& { return a.uniform; })
-              .says("The same number of samples for every pixel, as with --spp alone")}}};
+              .says("The same number of samples for every pixel, as with --spp alone"),
+          R("denoise")
+              .at([](auto& a) -> auto& { return a.denoise; })
+              .says("Filter the noise out of the picture",
+                    "filter the noise out of the picture ([how](FILTER.md#the-filter-of-pictures)) and "
+                    "measure the "
+                    "[error](AUDIT.md) that is left"),
+          R("no-audit")
+              .at([](auto& a) -> auto& { return a.audit; })
+              .says("Do not measure the error of --denoise",
+                    "do not measure the error of a picture with `--denoise`")}}};
     return all;
 }
 

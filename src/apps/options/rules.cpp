@@ -114,6 +114,9 @@ void settle(ReferenceArguments& arguments, const Given& given)
     derive(arguments.picture);
     refuse_if(arguments.picture.backend == Backend::vulkan,
               "--backend vulkan: references are path-traced on the CPU only");
+    refuse_if(arguments.denoise && !arguments.variance.empty(),
+              "--denoise: not with --variance, which is that of the picture without the filter");
+    refuse_if(given("no-audit") && !arguments.denoise, "--no-audit: only with --denoise");
     refuse_if(!arguments.variance.empty() && arguments.samples == 1,
               "--variance: needs two samples per pixel or more: --spp 2");
 }
