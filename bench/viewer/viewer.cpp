@@ -129,7 +129,7 @@ void print(const Moving& moving, const Moving& beside, const Single& single)
     std::printf("| scale of their sides | %.2f | |\n", beside.scale);
     row("from input to picture then", beside.latency);
     row("from input to picture, from rest", single.first);
-    row("from input to the 40 samples at rest", single.rest);
+    row("from input to the picture at rest", single.rest);
 }
 
 } // namespace
@@ -149,11 +149,11 @@ int main()
         Visitor visitor(server.port());
         visitor.wait_for("rest", 0);
         move(visitor, id, 2.0); // finds its scale
-        const Moving moving = move(visitor, id, 6.0);
-        const Single single = from_rest(visitor, id, 20);
+        const Moving moving = move(visitor, id, 4.0);
+        const Single single = from_rest(visitor, id, 5);
         Visitor other(server.port());
         rest_long(other);
-        print(moving, move(visitor, id, 6.0), single);
+        print(moving, move(visitor, id, 4.0), single);
     }
     server.stop();
     thread.join();

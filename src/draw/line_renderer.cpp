@@ -57,7 +57,7 @@ public:
 
     Frame take() override { return drawing_->take(); }
     void refine(int passes) override { drawing_->refine(passes); }
-    Frame picture() const override { return drawing_->picture(); }
+    Frame picture(const Check& check) const override { return drawing_->picture(check); }
 
 private:
     LineRenderer& renderer_;

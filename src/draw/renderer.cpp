@@ -9,7 +9,7 @@ void Drawing::refine(int)
     throw Error(Failure::usage, "a picture without bounces of light cannot be refined");
 }
 
-Frame Drawing::picture() const
+Frame Drawing::picture(const Check&) const
 {
     throw Error(Failure::usage, "a picture without bounces of light can only be taken");
 }

@@ -33,8 +33,12 @@ public:
     /// the picture of Settings::passes and these, to the byte. Throws Error(usage) without bounces.
     virtual void refine(int passes);
 
-    /// A copy of a complete picture that will be refined. Throws Error(usage) without bounces.
-    virtual Frame picture() const;
+    /// Called often, by any thread; may throw to end what it is called from. Empty: nothing is asked.
+    using Check = std::function<void()>;
+
+    /// A copy of a complete picture that will be refined. Takes a while, and passes exceptions of `check` on without a
+    /// change. Throws Error(usage) without bounces.
+    virtual Frame picture(const Check& check) const;
 };
 
 /// Draws a scene, prepared once, any number of times and in other poses.

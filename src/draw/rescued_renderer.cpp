@@ -74,7 +74,7 @@ public:
 
     // Devices draw without bounces: a drawing that can be refined is the fallback's.
     void refine(int passes) override { present().refine(passes); }
-    Frame picture() const override { return drawing_->picture(); }
+    Frame picture(const Check& check) const override { return drawing_->picture(check); }
 
 private:
     Drawing& present()

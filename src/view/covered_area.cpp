@@ -18,9 +18,9 @@ std::optional<glm::dvec2> place_of(const glm::dvec3& point, const RayMap& rays)
     const glm::dvec3 away = point - glm::dvec3(rays.origin), direction(rays.direction);
     const bool parallel = rays.direction_dx == glm::vec3(0.0f) && rays.direction_dy == glm::vec3(0.0f);
     // away = x origin_dx + y origin_dy + t direction, or t direction + t x direction_dx + t y direction_dy.
-    const glm::dmat3 axes = parallel ? glm::dmat3(glm::dvec3(rays.origin_dx), glm::dvec3(rays.origin_dy), direction)
-                                     : glm::dmat3(glm::dvec3(rays.direction_dx), glm::dvec3(rays.direction_dy),
-                                                  direction);
+    const glm::dmat3 axes =
+        parallel ? glm::dmat3(glm::dvec3(rays.origin_dx), glm::dvec3(rays.origin_dy), direction)
+                 : glm::dmat3(glm::dvec3(rays.direction_dx), glm::dvec3(rays.direction_dy), direction);
     const glm::dvec3 found = glm::inverse(axes) * away;
     if (!(found.z > 0.0))
         return std::nullopt;
@@ -34,7 +34,9 @@ PixelArea covered_area(const scene::Bounds& bounds, const RayMap& rays, int widt
 {
     glm::dvec2 low(width, height), high(0.0);
     for (int corner = 0; corner < 8; ++corner) {
-        const auto at = [&](int axis) { return (corner >> axis & 1) != 0 ? bounds.high[axis] : bounds.low[axis]; };
+        const auto at = [&](int axis) {
+            return (corner >> axis & 1) != 0 ? bounds.high[axis] : bounds.low[axis];
+        };
         const std::optional<glm::dvec2> place = place_of(glm::dvec3(at(0), at(1), at(2)), rays);
         if (!place)
             return {0, 0, width, height};

@@ -27,14 +27,14 @@ public:
         passes_ += passes;
     }
 
-    draw::Frame picture() const override
+    draw::Frame picture(const Check&) const override
     {
         draw::Frame frame;
         frame.radiance = {1, 1, 1, {static_cast<float>(drawn_)}};
         return frame;
     }
 
-    draw::Frame take() override { return picture(); }
+    draw::Frame take() override { return picture({}); }
 
 private:
     int passes_, drawn_ = 0;

@@ -20,7 +20,8 @@ glm::dvec2 seen_at(const Camera& camera, const glm::vec3& point)
     const glm::dvec3 away(point - camera.position);
     double half = 0.5 * static_cast<double>(camera.vertical_size);
     if (camera.vertical_fov > 0.0f)
-        half = -glm::dot(away, glm::dvec3(camera.back)) * std::tan(0.5 * static_cast<double>(camera.vertical_fov));
+        half = -glm::dot(away, glm::dvec3(camera.back)) *
+               std::tan(0.5 * static_cast<double>(camera.vertical_fov));
     return {0.5 * width + 0.5 * height * glm::dot(away, glm::dvec3(camera.right)) / half,
             0.5 * height - 0.5 * height * glm::dot(away, glm::dvec3(camera.up)) / half};
 }

@@ -217,12 +217,12 @@ TEST(Shadows, ARefinedPictureIsThatOfAllItsPasses)
     settings.passes = 1;
     const std::unique_ptr<Drawing> drawing = renderer->start(&white, settings);
     ASSERT_TRUE(drawing->advance({}));
-    EXPECT_EQ(drawing->picture().radiance.values, at_once(1));
+    EXPECT_EQ(drawing->picture({}).radiance.values, at_once(1));
     drawing->refine(2);
     while (!drawing->advance([](float) { return false; }))
         ;
-    EXPECT_EQ(drawing->picture().radiance.values, at_once(3));
-    EXPECT_NE(drawing->picture().radiance.values, at_once(1));
+    EXPECT_EQ(drawing->picture({}).radiance.values, at_once(3));
+    EXPECT_NE(drawing->picture({}).radiance.values, at_once(1));
     drawing->refine(1);
     ASSERT_TRUE(drawing->advance({}));
     EXPECT_EQ(drawing->take().radiance.values, at_once(4));
@@ -235,7 +235,7 @@ TEST(Shadows, APictureWithoutBouncesIsNotRefined)
     const std::unique_ptr<Drawing> drawing = renderer->start(nullptr, pose_settings());
     ASSERT_TRUE(drawing->advance({}));
     EXPECT_THROW(drawing->refine(1), Error);
-    EXPECT_THROW(drawing->picture(), Error);
+    EXPECT_THROW(drawing->picture({}), Error);
 }
 
 TEST(Shadows, LayersOfLightAddUpToThePicture)

@@ -75,7 +75,7 @@ private:
     {
         const std::optional<audit::Error> before = std::exchange(error_, {});
         const Clock::time_point start = Clock::now();
-        shown_ = drawing_.picture();
+        shown_ = drawing_.picture({});
         error_ = measure_(shown_->radiance, number_++);
         seconds_of_measurement_ = seconds_since(start);
         // One that is small enough may be so by chance; the measurement that is told must agree.

@@ -165,7 +165,8 @@ void DrawScheduler::draw(const Plan& plan, Client& client)
     } else if (plan.task == Task::save) {
         save(plan, client, begun->drawing->take());
     } else if (plan.is_refined) {
-        client.refinement = std::make_unique<Refinement>(plan, std::move(begun->drawing));
+        client.refinement = std::make_unique<Refinement>(plan, std::move(begun->drawing),
+                                                         [&] { may_continue(plan, client, start); });
         finish(plan, *client.session, client.refinement->frame(), begun->milliseconds);
     } else {
         finish(plan, *client.session, begun->drawing->take(), begun->milliseconds);

@@ -1,5 +1,6 @@
 #include "apps/viewer/load_first.h"
 
+#include "apps/common/input_names.h"
 #include "apps/common/picture_setup.h"
 
 #include <algorithm>
@@ -10,6 +11,7 @@ ViewRequest load_first(const cli::StartArguments& arguments, AssetCache& assets,
 {
     ViewRequest request = starting_request(arguments);
     const cli::RenderArguments first = arguments_of(request);
+    cli::check_scene_name(first.scene);
     assets.load(first);
     const std::shared_ptr<Model> model = assets.model(first).value;
     const std::vector<scene::AnimationInfo>& animations = model->scene().animations;

@@ -26,9 +26,10 @@ std::optional<audit::Error> measured_if_possible(const Measure& measure)
 
 } // namespace
 
-Refinement::Refinement(const Plan& plan, std::unique_ptr<draw::Drawing> drawing)
+Refinement::Refinement(const Plan& plan, std::unique_ptr<draw::Drawing> drawing,
+                       const draw::Drawing::Check& check)
     : serial_(plan.serial), arguments_(plan.arguments), scene_(plan.model->whole_scene()),
-      drawing_(std::move(drawing)), frame_(drawing_->picture()), passes_(plan.arguments.settings.passes),
+      drawing_(std::move(drawing)), frame_(drawing_->picture(check)), passes_(plan.arguments.settings.passes),
       asked_(passes_)
 {
 }
@@ -59,7 +60,7 @@ bool Refinement::add_rays(const std::function<bool()>& may_continue)
     }
     if (!drawing_->advance([&](float) { return may_continue(); }))
         return false;
-    frame_ = drawing_->picture();
+    frame_ = drawing_->picture([&] { may_continue(); });
     passes_ = asked_;
     measured_ = false;
     error_.reset();

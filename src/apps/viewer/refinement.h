@@ -19,8 +19,8 @@ public:
     static constexpr double wanted_error = 0.01;
     static constexpr int most_passes = 1024;
 
-    /// `drawing`: of the plan's picture, complete.
-    Refinement(const Plan& plan, std::unique_ptr<draw::Drawing> drawing);
+    /// `drawing`: of the plan's picture, complete. `check`: as of draw::Drawing::picture.
+    Refinement(const Plan& plan, std::unique_ptr<draw::Drawing> drawing, const draw::Drawing::Check& check);
 
     DrawState::Serial serial() const { return serial_; }
 

@@ -35,6 +35,8 @@ public:
     static constexpr int most_saves = 2;
     /// The view counts as at rest after so long without input.
     static constexpr std::chrono::milliseconds settle{60};
+    /// A picture at rest is refined after so long: the first step cannot be left at once by a view that moves again.
+    static constexpr std::chrono::milliseconds before_refining{250};
     /// The least time between two frames of an animation.
     static constexpr std::chrono::milliseconds least_step{16};
 
@@ -178,9 +180,10 @@ private:
     ViewRequest request_;
     std::uint64_t input_ = 0; ///< the last one that request_ contains
     Clock::time_point input_time_{};
-    Pace pace_, light_pace_;       ///< of pictures without and with bounces of light
-    int shown_passes_ = 0;         ///< of the picture at rest that is shown; 0: as asked for
-    std::shared_ptr<Model> model_; ///< of request_ or, until that is loaded, the one before
+    Pace pace_, light_pace_;        ///< of pictures without and with bounces of light
+    Clock::time_point rest_time_{}; ///< of the last picture at rest
+    int shown_passes_ = 0;          ///< of the picture at rest that is shown; 0: as asked for
+    std::shared_ptr<Model> model_;  ///< of request_ or, until that is loaded, the one before
     std::shared_ptr<const cli::LoadedEnvironment> environment_; ///< likewise
     bool is_loading_ = true;     ///< the scene or the environment of request_ is being loaded
     bool is_loaded_ = false;     ///< model_ and environment_ are those of request_

@@ -46,8 +46,12 @@ std::optional<Plan::Task> Session::next_long_task(Clock::time_point now, Clock::
     if (find_trace())
         return Plan::Task::trace;
     const DrawState::Stage stage = draw_state_.stage();
-    if (stage == DrawState::Stage::rest && is_refined())
-        return Plan::Task::refine;
+    if (stage == DrawState::Stage::rest && is_refined()) {
+        if (shown_passes_ > 0 || now - rest_time_ >= before_refining)
+            return Plan::Task::refine;
+        wake = std::min(wake, rest_time_ + before_refining);
+        return std::nullopt;
+    }
     if (stage >= DrawState::Stage::rest)
         return std::nullopt;
     if (now - input_time_ < settle) {

@@ -18,6 +18,7 @@ void Session::picture_finished(const Plan& plan, double milliseconds)
         draw_state_.picture_finished(plan.serial, Stage::still);
         break;
     case Plan::Task::rest:
+        rest_time_ = Clock::now();
         draw_state_.picture_finished(plan.serial, Stage::rest);
         break;
     case Plan::Task::save:

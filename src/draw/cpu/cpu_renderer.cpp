@@ -134,7 +134,7 @@ public:
     Frame take() override
     {
         if (full_light_)
-            full_light_->apply(frame_);
+            full_light_->apply(frame_, {});
         return std::move(frame_);
     }
 
@@ -145,12 +145,12 @@ public:
         full_light_->refine(passes);
     }
 
-    Frame picture() const override
+    Frame picture(const Check& check) const override
     {
         if (!full_light_)
-            return Drawing::picture();
+            return Drawing::picture(check);
         Frame copy = frame_;
-        full_light_->apply(copy);
+        full_light_->apply(copy, check);
         return copy;
     }
 

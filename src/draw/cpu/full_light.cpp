@@ -152,10 +152,12 @@ void FullLight::apply(const denoise::FilteredRow& row, const std::vector<image::
     }
 }
 
-void FullLight::apply(Frame& frame) const
+void FullLight::apply(Frame& frame, const std::function<void()>& check) const
 {
     const Shown shown = shown_in(frame);
     denoise::filter_light(sums_.picture, {settings_.white}, [&](const denoise::FilteredRow& row) {
+        if (check)
+            check();
         apply(row, row.specular ? shown.specular : shown.diffuse);
     });
     const view::PixelArea& area = sums_.area;

@@ -38,8 +38,8 @@ public:
     void refine(int passes) { passes_ += passes; }
 
     /// Once all rays have been traced: filters what they found, and puts it in the place of the light without shadows in
-    /// `frame` and in its layers.
-    void apply(Frame& frame) const;
+    /// `frame` and in its layers. `check`, if set, is called often; what it throws is passed on.
+    void apply(Frame& frame, const std::function<void()>& check) const;
 
     /// Calls of for_tiles' second argument for each tile, over all stages.
     int stages() const { return rounds_ + passes_; }
