@@ -112,9 +112,9 @@ TEST(Shadows, OfAPaneAreAsDarkAsItIsOpaque)
     EXPECT_NEAR(sum / whole, 0.7, 0.006);
 }
 
-// In a white environment a wall of soot that stands on the floor takes half the light of the floor at its foot: half of
-// the cosine-weighted hemisphere, wherever the wall is tall and wide enough. [form factor of perpendicular half-planes]
-TEST(Shadows, OfAWallTakeHalfTheSkyAtItsFoot)
+// A wall of soot on a white floor, so tall and wide that from the camera's part of the floor it hides all directions
+// with x > 0.
+scene::Scene beside_a_wall()
 {
     scene::Scene scene;
     add(scene, facing_square(100.0f, 0.0f), chalk(1.0f));
@@ -124,15 +124,49 @@ TEST(Shadows, OfAWallTakeHalfTheSkyAtItsFoot)
     wall.normals.assign(4, {-1.0f, 0.0f, 0.0f});
     wall.triangles = {{0, 1, 2}, {0, 2, 3}};
     add(scene, wall, soot());
+    return scene;
+}
+
+double mean_green(const Frame& frame)
+{
+    double sum = 0.0;
+    for (std::size_t i = 1; i < frame.radiance.values.size(); i += 4)
+        sum += static_cast<double>(frame.radiance.values[i]);
+    return 4.0 * sum / static_cast<double>(frame.radiance.values.size());
+}
+
+// In a white environment a wall of soot that stands on the floor takes half the light of the floor at its foot: half of
+// the cosine-weighted hemisphere, wherever the wall is tall and wide enough. [form factor of perpendicular half-planes]
+TEST(Shadows, OfAWallTakeHalfTheSkyAtItsFoot)
+{
+    const scene::Scene scene = beside_a_wall();
     const environment::Environment white = white_environment();
     Settings settings = shadowed(48, 48, 1.5f, 8);
     settings.passes = 16;
     const Frame frame = draw(scene, &white, settings);
-    double sum = 0.0;
-    for (int y = 0; y < 48; ++y)
-        for (int x = 0; x < 48; ++x)
-            sum += static_cast<double>(pixel(frame, x, y).g) / (48.0 * 48.0);
-    EXPECT_NEAR(sum, 0.5, 0.01); // white chalk in a white furnace sends all of what arrives
+    EXPECT_NEAR(mean_green(frame), 0.5, 0.01); // white chalk in a white furnace sends all of what arrives
+}
+
+// Most of the light is behind the wall, and rays read the environment through blurs that reach around it: the more rays,
+// the less. Expected is the integral over the other half of the sky, by quadrature.
+TEST(Shadows, OfAWallBeforeTheLightAreRightInTheEnd)
+{
+    const auto radiance = [](const glm::dvec3& d) { return std::pow(0.5 * (1.0 + d.x), 4.0); };
+    constexpr int steps = 400;
+    constexpr double pi = 3.141592653589793;
+    double expected = 0.0;
+    for (int i = 0; i < steps; ++i)
+        for (int k = 0; k < steps; ++k) {
+            const double z = std::sqrt((i + 0.5) / steps), ring = std::sqrt(1.0 - z * z),
+                         turn = pi * (0.5 + (k + 0.5) / steps);
+            expected += radiance({ring * std::cos(turn), ring * std::sin(turn), z}) / (2.0 * steps * steps);
+        }
+    const environment::Environment behind =
+        environment_of(128, [&](glm::dvec3 d) { return glm::vec3(static_cast<float>(radiance(d))); });
+    Settings settings = shadowed(16, 16, 1.5f, 1);
+    settings.passes = 512;
+    const double found = mean_green(draw(beside_a_wall(), &behind, settings));
+    EXPECT_NEAR(found / expected, 1.0, 0.1); // 2 passes: twice as bright
 }
 
 // No light finds its way into a closed sphere.
