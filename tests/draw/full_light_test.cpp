@@ -148,7 +148,7 @@ TEST_P(FullLight, IsThatOfThePathTracer)
         environment::make_environment(environment::make_panorama(panorama));
     const Frame frame = draw(c.scene, c.dark ? nullptr : &environment, c.settings);
     const Comparison found = compared(frame.radiance, truth);
-    EXPECT_NEAR(found.mean, 1.0, 0.04);
+    EXPECT_NEAR(found.mean, 1.0, 0.015);
     EXPECT_LT(found.error, c.most);
     RecordProperty("error", std::to_string(found.error));
     std::printf("%s: mean %.4f, relative RMSE %.4f\n", c.name.c_str(), found.mean, found.error);

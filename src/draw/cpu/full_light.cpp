@@ -19,6 +19,9 @@ constexpr int most_rounds = 5;
 // Camera rays of a round that fills the cache, at least, and of the last one.
 constexpr double rays_of_round = 20000.0, rays_of_last_round = 60000.0;
 
+// Camera rays of one pixel in a round, at most.
+constexpr std::uint32_t most_of_pixel = 64;
+
 // Samples of a pixel in a pass, one of each half.
 constexpr std::uint32_t samples_of_pass = 2;
 
@@ -74,22 +77,23 @@ FullLight::FullLight(const Settings& settings, const view::PixelArea& covered,
 {
 }
 
-// Of pixels along each axis, one in this many has a ray.
-int FullLight::spacing(bool last) const
+// Camera rays of a round over covered pixels: where it is above 1, pixels have several.
+double FullLight::rays_of_pixel(bool last) const
 {
     const denoise::Plane& coverage = sums_.picture.guides.coverage;
     const auto covered = std::count_if(coverage.begin(), coverage.end(), [](float c) { return c > 0.0f; });
-    return std::clamp(static_cast<int>(std::sqrt(static_cast<double>(covered) /
-                                                 (last ? rays_of_last_round : rays_of_round))),
-                      1, 16);
+    return (last ? rays_of_last_round : rays_of_round) / std::max(static_cast<double>(covered), 1.0);
 }
 
 bool FullLight::fill_round(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame)
 {
     if (!next_)
         next_ = std::make_unique<WorldCache>(sizes_);
-    const RayGatherer::Filling filling{*next_, spacing(round_ + 1 == rounds_),
-                                       first_sample_of_cache + static_cast<std::uint32_t>(round_)};
+    const double rays = rays_of_pixel(round_ + 1 == rounds_);
+    const RayGatherer::Filling filling{
+        *next_, std::clamp(static_cast<int>(std::sqrt(1.0 / rays)), 1, 16),
+        first_sample_of_cache + static_cast<std::uint32_t>(round_), most_rounds,
+        std::clamp(static_cast<std::uint32_t>(std::min(rays, 1e6)), 1u, most_of_pixel)};
     tbb::enumerable_thread_specific<RayGatherer> gatherers(
         [&] { return RayGatherer(picture, known_.get()); });
     for_tiles(tiles_, [&](int tile) { gatherers.local().fill(tiles_.area(tile), filling, frame); });

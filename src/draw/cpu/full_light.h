@@ -48,7 +48,7 @@ private:
     bool fill_round(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame);
     bool fill_cache(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame);
     bool gather(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame);
-    int spacing(bool last) const;
+    double rays_of_pixel(bool last) const;
     void apply(const denoise::FilteredRow& row, const std::vector<image::RadianceImage*>& images) const;
 
     const Settings& settings_;

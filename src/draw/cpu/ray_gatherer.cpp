@@ -185,13 +185,20 @@ void RayGatherer::gather(const TileArea& area, std::uint32_t sample, const Frame
 
 void RayGatherer::fill(const TileArea& area, const Filling& filling, const Frame& frame)
 {
-    look(area, filling.sample, filling.spacing, frame);
+    for (std::uint32_t i = 0; i < filling.samples; ++i)
+        fill(area, filling.cache, filling.sample + i * filling.step, filling.spacing, frame);
+}
+
+void RayGatherer::fill(const TileArea& area, WorldCache& cache, std::uint32_t sample, int spacing,
+                       const Frame& frame)
+{
+    look(area, sample, spacing, frame);
     if (sights_.empty())
         return;
-    first_.send(seen_, sights_, filling.sample);
+    first_.send(seen_, sights_, sample);
     RayWave& met = first_.met();
     soften_all(met);
-    second_.send(met, first_.lobes(), filling.sample);
+    second_.send(met, first_.lobes(), sample);
     light_of_hits(second_, cache_);
     second_.collect(met, light_, found_);
     const Fragments& f = met.fragments();
@@ -202,7 +209,7 @@ void RayGatherer::fill(const TileArea& area, const Filling& filling, const Frame
             CachedLight light{found_[at].unshadowed, found_[at].found};
             light.unshadowed[diffuse_light] += found_[at].lights_unshadowed;
             light.found[diffuse_light] += found_[at].lights_found;
-            filling.cache.add(point_of(met, at), light);
+            cache.add(point_of(met, at), light);
         }
 }
 

@@ -29,12 +29,15 @@ public:
     /// Adds to `cache` what the rays of one pixel in `spacing`^2 find where they meet surfaces.
     struct Filling {
         WorldCache& cache;
-        int spacing;          ///< 1 or more
-        std::uint32_t sample; ///< number of the sample
+        int spacing;           ///< 1 or more
+        std::uint32_t sample;  ///< number of the first sample of each pixel
+        std::uint32_t step;    ///< to the number of its next
+        std::uint32_t samples; ///< of each pixel
     };
     void fill(const TileArea& area, const Filling& filling, const Frame& frame);
 
 private:
+    void fill(const TileArea& area, WorldCache& cache, std::uint32_t sample, int spacing, const Frame& frame);
     void look(const TileArea& area, std::uint32_t sample, int spacing, const Frame& frame);
     void light_unshadowed(RayWave& wave);
     void soften_all(RayWave& wave) const;
