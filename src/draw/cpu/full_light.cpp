@@ -25,6 +25,32 @@ constexpr std::uint32_t most_of_pixel = 64;
 // Samples of a pixel in a pass, one of each half.
 constexpr std::uint32_t samples_of_pass = 2;
 
+// Share of the lights' light that reaches a pixel, from its samples and, where they saw no light, from those of its
+// neighbours. A difference would take another amount from the exact light than it has, where samples see the surfaces of a
+// pixel in other parts: light at the dark foot of a wall.
+glm::vec3 lit_share(const LightSums& sums, int x, int y)
+{
+    const view::PixelArea& area = sums.area;
+    glm::vec3 share(1.0f);
+    for (int c = 0; c < 3; ++c)
+        for (int reach = 0; reach < 2; ++reach) {
+            float all = 0.0f, lit = 0.0f;
+            const int right = std::min(x + reach, area.x + area.width - 1),
+                      bottom = std::min(y + reach, area.y + area.height - 1);
+            for (int row = std::max(y - reach, area.y); row <= bottom; ++row)
+                for (int column = std::max(x - reach, area.x); column <= right; ++column) {
+                    const std::size_t pixel = sums.index(column, row);
+                    all += at(sums.lights_unshadowed, pixel)[c];
+                    lit += at(sums.lights_found, pixel)[c];
+                }
+            if (!(all > 0.0f))
+                continue;
+            share[c] = lit / all;
+            break;
+        }
+    return share;
+}
+
 // Mean of the radiance that pixels with surfaces show.
 float mean_of_covered(const Frame& frame)
 {
@@ -170,8 +196,8 @@ void FullLight::apply(Frame& frame, const std::function<void()>& check) const
             const std::size_t pixel = sums_.index(x, y);
             if (!(sums_.picture.guides.coverage[pixel] > 0.0f))
                 continue;
-            add_to_pixel(shown.lights, x, y, at(sums_.lights, pixel) / std::max(sums_.samples[pixel], 1.0f));
-            for (int c = 0; c < 3; ++c) // what is less is noise of the lights' shadows at edges
+            add_to_pixel(shown.lights, x, y, at(sums_.lights, pixel) * (lit_share(sums_, x, y) - 1.0f));
+            for (int c = 0; c < 3; ++c) // what is less is rounding
                 frame.radiance.pixel(x, y)[c] = std::max(frame.radiance.pixel(x, y)[c], 0.0f);
         }
     });

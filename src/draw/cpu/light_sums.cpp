@@ -50,12 +50,13 @@ LightSums::LightSums(const view::PixelArea& pixel_area) : area(pixel_area)
     const std::size_t pixels = static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height);
     denoise::Guides& guides = picture.guides;
     for (denoise::Plane* const plane :
-         {&guides.coverage, &guides.depth, &guides.alpha, &guides.metalness, &samples, &seen[0], &seen[1]})
+         {&guides.coverage, &guides.depth, &guides.alpha, &guides.metalness, &seen[0], &seen[1]})
         plane->assign(pixels, 0.0f);
     picture.count.assign(pixels, 2.0f);
     clear(guides.normal, pixels);
     clear(picture.diffuse.albedo, pixels);
-    clear(lights, pixels);
+    for (denoise::Rgb* const planes : {&lights, &lights_unshadowed, &lights_found})
+        clear(*planes, pixels);
     for (std::size_t k = 0; k < light_classes; ++k) {
         clear(light(k).exact, pixels);
         for (denoise::Half& half : light(k).halves)
@@ -78,7 +79,7 @@ void LightSums::add(std::size_t pixel, std::size_t half, const RayLight& found)
 
 void make_means(LightSums& sums)
 {
-    tbb::parallel_for(std::size_t{0}, sums.samples.size(), [&](std::size_t pixel) {
+    tbb::parallel_for(std::size_t{0}, sums.seen[0].size(), [&](std::size_t pixel) {
         if (sums.picture.guides.coverage[pixel] > 0.0f)
             make_mean(sums, pixel);
     });

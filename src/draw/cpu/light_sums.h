@@ -28,9 +28,9 @@ inline glm::vec3 at(const denoise::Rgb& planes, std::size_t pixel)
 struct LightSums {
     view::PixelArea area;     ///< that the planes cover: no other pixel shows a surface
     denoise::Picture picture; ///< guides, exact light and albedo: sums, until make_means(); halves: means
-    denoise::Rgb
-        lights; ///< sum of the light of sources without size as it is, less what it would be without shadows
-    denoise::Plane samples;             ///< camera rays
+    denoise::Rgb lights; ///< light of sources without size, without shadows and noise, of the whole pixel
+    denoise::Rgb lights_unshadowed,
+        lights_found;                   ///< sums of what the samples found of it, and of it with shadows
     std::array<denoise::Plane, 2> seen; ///< camera rays of each half that met a surface
 
     /// Sums of zero.

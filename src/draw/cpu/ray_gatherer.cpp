@@ -177,10 +177,9 @@ void RayGatherer::gather(const TileArea& area, std::uint32_t sample, const Frame
                 continue;
             const std::size_t pixel = index_of(sights_[f.pixel[at]]);
             sums.add(pixel, half, found_[at]);
-            add_to(sums.lights, pixel, found_[at].lights_found - found_[at].lights_unshadowed);
+            add_to(sums.lights_unshadowed, pixel, found_[at].lights_unshadowed);
+            add_to(sums.lights_found, pixel, found_[at].lights_found);
         }
-    for (const WaveRay& sight : sights_)
-        sums.samples[index_of(sight)] += 1.0f;
 }
 
 void RayGatherer::fill(const TileArea& area, const Filling& filling, const Frame& frame)
