@@ -20,7 +20,7 @@ std::string command_of_last_state(Seat& seat)
 ShownPicture measured_picture(Seat& seat, std::uint64_t input, const std::string& passes)
 {
     for (int i = 0; i < 40; ++i) {
-        const ShownPicture picture = seat.wait_for(Kind::rest, input);
+        ShownPicture picture = seat.wait_for(Kind::rest, input);
         const std::string command = command_of_last_state(seat);
         const bool wanted = passes.empty() ? command.find("--passes") == std::string::npos
                                            : command.find(passes) != std::string::npos;

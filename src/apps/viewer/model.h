@@ -8,12 +8,12 @@
 #include "scene/gltf/gltf.h"
 #include "scene/scene.h"
 
-#include <compare>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
+#include <tuple>
 #include <vector>
 
 namespace lambent::viewer {
@@ -49,7 +49,10 @@ private:
     struct Needs {
         draw::TexelTransfer transfer;
         bool cpu;
-        auto operator<=>(const Needs&) const = default;
+        bool operator<(const Needs& other) const
+        {
+            return std::tie(transfer, cpu) < std::tie(other.transfer, other.cpu);
+        }
     };
     draw::Renderer& renderer(const Needs& needs);
 

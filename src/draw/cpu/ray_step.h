@@ -30,7 +30,7 @@ public:
 
 private:
     void choose(RayWave& from, const std::vector<WaveRay>& rays, std::uint32_t sample);
-    void make_rays(const RayWave& from, std::size_t at, const WaveRay& ray);
+    void make_rays(const RayWave& from, std::size_t at, const WaveRay& before);
 
     const PictureContext& picture_;
     RayWave met_;
