@@ -17,7 +17,7 @@ using Lanes = hn::Vec<FloatTag>;
 
 // What is known of one channel of a vector of pixels.
 struct GivenAt {
-    Real exact, albedo;
+    Real exact, albedo, share;
 };
 
 // One channel of both halves: what each adds to the exact light.
@@ -34,14 +34,27 @@ HWY_INLINE Changes select(Mask m, const Changes& yes, const Changes& no)
     return {select(m, yes.first, no.first), select(m, yes.second, no.second)};
 }
 
-// Change that a ratio of sums gives to exact light. Where next to no light is pooled the ratio says nothing, and the
-// control variate is taken.
-HWY_INLINE Real by_ratio(const GivenAt& given, Real unshadowed, Real change, Real weight, Real control,
-                         Real limit)
+// One half of a level at some pixels, one channel: pooled sums.
+struct Pooled {
+    Real unshadowed, change, scale; // scale: albedo over the sums' weight
+};
+
+// The share of the exact light that is not a control variate is taken from the samples instead.
+HWY_INLINE Real by_difference(const GivenAt& given, const Pooled& pooled)
 {
-    const Mask valid = given.albedo * unshadowed > 1.0e-3 * given.exact * weight;
-    const Real ratio = change / select(valid, unshadowed, 1.0);
-    return select(valid, given.exact * clamp(ratio, -1.0, limit - 1.0), control);
+    return pooled.scale * pooled.change +
+           (1.0 - given.share) * (pooled.scale * pooled.unshadowed - given.exact);
+}
+
+// Change that a ratio of sums gives to exact light; what is above the ratio's limit is kept as an amount. Where next to no
+// light is pooled the ratio says nothing, and the difference is taken.
+HWY_INLINE Real by_ratio(const GivenAt& given, const Pooled& pooled, Real difference, Real limit)
+{
+    const Real most = limit - 1.0;
+    const Mask valid = pooled.scale * pooled.unshadowed > 1.0e-3 * given.exact;
+    const Real ratio = pooled.change / select(valid, pooled.unshadowed, 1.0);
+    const Real beyond = pooled.scale * max(pooled.change - most * pooled.unshadowed, 0.0);
+    return select(valid, given.exact * clamp(ratio, -1.0, most) + beyond, difference);
 }
 
 // Both estimates of channel c of a level whose sums for the pixels are at `sums`.
@@ -50,17 +63,19 @@ HWY_INLINE Estimates estimates_at(const CandidateRow& row, const float* sums, co
     const auto sum = [&](int plane) HWY_ATTR { return load(sums + (plane + c) * row.pitch); };
     const Real weight = load(sums + (sum_weight + (row.weight_planes == 3 ? c : 0)) * row.pitch);
     const Real scale = given.albedo / max(weight, 1.0e-30);
-    const Real first = sum(sum_change), second = sum(6 + sum_change), limit = row.ratio_limit;
-    const Changes control = {scale * first, scale * second};
+    const Pooled first = {sum(sum_unshadowed), sum(sum_change), scale},
+                 second = {sum(6 + sum_unshadowed), sum(6 + sum_change), scale};
+    const Changes control = {by_difference(given, first), by_difference(given, second)};
     return {control,
-            {by_ratio(given, sum(sum_unshadowed), first, weight, control.first, limit),
-             by_ratio(given, sum(6 + sum_unshadowed), second, weight, control.second, limit)}};
+            {by_ratio(given, first, control.first, row.ratio_limit),
+             by_ratio(given, second, control.second, row.ratio_limit)}};
 }
 
 HWY_INLINE GivenAt given_at(const CandidateRow& row, int x, int c)
 {
     return {load(row.given + x + (given_exact + c) * row.pitch),
-            load(row.given + x + (given_albedo + c) * row.pitch)};
+            load(row.given + x + (given_albedo + c) * row.pitch),
+            load(row.given + x + given_share * row.pitch)};
 }
 
 // How much errors count: less where unshadowed light is beyond white. Known without noise, it favours no candidate.

@@ -87,10 +87,11 @@ void filter_light(const Picture& picture, const Settings& settings, const TakeRo
 {
     if (check(picture) == 0)
         return;
+    const ControlShares diffuse(picture, picture.diffuse), specular(picture, picture.specular);
     const std::vector<Tile> tiles = tiles_of(picture.width, picture.height);
     tbb::parallel_for(std::size_t{0}, tiles.size(), [&](std::size_t i) {
-        filter_tile({picture, picture.diffuse, false, settings, take}, tiles[i]);
-        filter_tile({picture, picture.specular, true, settings, take}, tiles[i]);
+        filter_tile({picture, picture.diffuse, diffuse, false, settings, take}, tiles[i]);
+        filter_tile({picture, picture.specular, specular, true, settings, take}, tiles[i]);
     });
 }
 

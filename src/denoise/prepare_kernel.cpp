@@ -156,6 +156,7 @@ HWY_FLATTEN void prepare_light(const LightJob& job, const RowSpan& span, Prepare
         if (!from[0].albedo)
             store(weight, to.sums + sum_weight * span.pitch + x);
     }
+    job.shares.fill(span.y, span.first, span.columns, to.given + given_share * span.pitch);
 }
 
 } // namespace lambent::denoise::HWY_NAMESPACE

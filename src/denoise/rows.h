@@ -35,6 +35,7 @@ enum GivenPlane : int {
     given_exact = 0,
     given_albedo = 3,
     given_weight = 6, // samples times coverage
+    given_share,      // of exact light that is a control variate
     given_planes
 };
 

@@ -1,6 +1,7 @@
 // One tile of one class of light, filtered as a stream of rows.
 #pragma once
 
+#include "denoise/control_shares.h"
 #include "denoise/light_filter.h"
 
 namespace lambent::denoise {
@@ -9,6 +10,7 @@ namespace lambent::denoise {
 struct LightJob {
     const Picture& picture;
     const Light& light;
+    const ControlShares& shares;
     bool lobe; ///< specular: pixels are alike only if their lobes point the same way
     const Settings& settings;
     const TakeRow& take; ///< gets the rows of the result

@@ -88,6 +88,44 @@ private:
     const Guides& g_;
 };
 
+// The share of exact light that is a control variate, at the centre of the square of 16 pixels that `square` counts.
+double share_of_square(const Pixels& pixels, const Light& light, Point square)
+{
+    double unshadowed = 0.0, found = 0.0;
+    for (int y = 16 * (square.y - 1); y < 16 * (square.y + 2); ++y)
+        for (int x = 16 * (square.x - 1); x < 16 * (square.x + 2); ++x)
+            for (std::size_t k = 0; k < 6 && pixels.covered({x, y}); ++k) {
+                const std::size_t i = pixels.index({x, y});
+                unshadowed += pixels.samples({x, y}) * double(light.halves[k / 3].unshadowed[k % 3][i]);
+                found += pixels.samples({x, y}) * double(light.halves[k / 3].found[k % 3][i]);
+            }
+    return unshadowed > 0.0 ? std::min(1.0, std::pow(2.0 * found / unshadowed, 2.0)) : 1.0;
+}
+
+// The mean of the shares of all squares, as near as their centres are.
+DoublePlane shares_of(const Pixels& pixels, const Light& light, int width, int height)
+{
+    const int columns = (width + 15) / 16, rows = (height + 15) / 16;
+    std::vector<double> squares;
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column)
+            squares.push_back(share_of_square(pixels, light, {column, row}));
+    DoublePlane shares;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const double across = std::clamp((x + 0.5) / 16.0 - 0.5, 0.0, columns - 1.0),
+                         down = std::clamp((y + 0.5) / 16.0 - 0.5, 0.0, rows - 1.0);
+            double share = 0.0;
+            for (int row = 0; row < rows; ++row)
+                for (int column = 0; column < columns; ++column)
+                    share += std::max(0.0, 1.0 - std::fabs(across - column)) *
+                             std::max(0.0, 1.0 - std::fabs(down - row)) *
+                             squares[static_cast<std::size_t>(row * columns + column)];
+            shares.push_back(share);
+        }
+    return shares;
+}
+
 using Sums = std::array<DoublePlane, 15>; // unshadowed, found of both halves, weight; three channels each
 
 Sums unfiltered(const Pixels& pixels, const Light& light)
@@ -126,11 +164,17 @@ Sums smoothed(const Pixels& pixels, const Sums& from, int step, bool lobe)
 }
 
 // Both candidates of a level.
-void add_candidates(const Pixels& pixels, const Light& light, const Sums& sums, const Settings& settings,
+struct Known {
+    const Light& light;
+    const DoublePlane& shares;
+};
+void add_candidates(const Pixels& pixels, const Known& known, const Sums& sums, const Settings& settings,
                     std::array<DoubleRgb, 2>* to)
 {
+    const Light& light = known.light;
     pixels.for_each([&](Point a) {
         const std::size_t i = pixels.index(a);
+        const double share = known.shares[i];
         for (std::size_t h = 0; h < 2; ++h)
             for (std::size_t c = 0; c < 3; ++c) {
                 const double exact = double(light.exact[c][i]);
@@ -138,12 +182,13 @@ void add_candidates(const Pixels& pixels, const Light& light, const Sums& sums, 
                     light.albedo[0].empty() ? 1.0 : std::max(double(light.albedo[c][i]), 1e-5);
                 const double unshadowed = sums[6 * h + c][i], found = sums[6 * h + 3 + c][i],
                              weight = sums[12 + c][i];
-                const double control = exact + albedo * (found - unshadowed) / weight;
+                const double control = share * exact + albedo * (found - share * unshadowed) / weight;
+                const auto limit = double(settings.ratio_limit);
+                const double beyond = albedo * std::max(found - limit * unshadowed, 0.0) / weight;
                 const bool valid = albedo * unshadowed / weight > 1e-3 * exact;
                 to[0][h][c][i] = control;
                 to[1][h][c][i] =
-                    valid ? exact * std::clamp(found / unshadowed, 0.0, double(settings.ratio_limit))
-                          : control;
+                    valid ? exact * std::clamp(found / unshadowed, 0.0, limit) + beyond : control;
             }
     });
 }
@@ -218,13 +263,14 @@ NaiveResult naive_filter(const Picture& picture, const Light& light, bool lobe, 
     const DoublePlane black(light.exact[0].size());
     NaiveResult r;
     r.light = r.gap = {black, black, black};
+    const DoublePlane shares = shares_of(pixels, light, picture.width, picture.height);
     Sums sums = unfiltered(pixels, light);
     for (std::size_t level = 0; level < naive_levels; ++level) {
         if (level > 0)
             sums = smoothed(pixels, sums, 1 << (level - 1), lobe);
         for (std::size_t k = 0; k < 2; ++k)
             r.candidates[2 * level + k] = {r.light, r.light};
-        add_candidates(pixels, light, sums, settings, &r.candidates[2 * level]);
+        add_candidates(pixels, {light, shares}, sums, settings, &r.candidates[2 * level]);
     }
     r.choices = choices_of(pixels, light, r, settings);
     pixels.for_each([&](Point a) {

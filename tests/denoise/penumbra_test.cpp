@@ -138,6 +138,41 @@ TEST(Penumbra, SmallLampsKeepTheirLight)
     }
 }
 
+// A dim room: a fiftieth of the unshadowed light arrives. What is called exact is 4 % too bright or too dark from column to
+// column, as where the samples see a texture sharper, which is twice as much as there is. The error may hardly grow.
+TEST(Penumbra, ExactLightIsNotTrustedWhereLittleArrives)
+{
+    double errors[2];
+    for (const bool wrong : {false, true}) {
+        Picture picture = make_wall(width, height);
+        set_exact(picture, [](int, int) { return 0.5; });
+        const Share visible = [](int x, int) { return x < width / 2 ? 0.015 : 0.025; };
+        std::fill(picture.count.begin(), picture.count.end(), 32.0f);
+        sample_light(picture, picture.diffuse, visible, {9, 0.5, 0.0});
+        set_exact(picture, [&](int x, int) { return wrong ? 0.5 * (x % 2 != 0 ? 1.04 : 0.96) : 0.5; });
+        const auto truth = [&](int x, int y, int) { return 0.5 * visible(x, y); };
+        errors[wrong] = rms_difference(filter_light(picture, {}).diffuse.light, truth, width) / 0.01;
+    }
+    std::printf("dim room: %.4f, with exact light that is off %.4f\n", errors[0], errors[1]);
+    EXPECT_LT(errors[1], 1.2 * errors[0] + 0.02);
+}
+
+// A ceiling over a floor with patches of sun: its light is ten times what would arrive without the room, few samples find
+// it, and all of it stays.
+TEST(Penumbra, LightBeyondTheRatiosLimitStays)
+{
+    Picture picture = make_wall(width, height);
+    set_exact(picture, [](int, int) { return 0.05; });
+    sample_light(
+        picture, picture.diffuse, [](int, int) { return 0.97; }, {11, 0.5, 0.0}, 15.0);
+    double sum = 0.0;
+    const Rgb light = filter_light(picture, {}).diffuse.light;
+    for (float value : light[0])
+        sum += static_cast<double>(value) / (width * height);
+    const double truth = 0.97 * 0.05 + 0.03 * 15.0;
+    EXPECT_NEAR(sum / truth, 1.0, 0.05);
+}
+
 // The same samples on white and black squares: the relative error may hardly grow.
 TEST(Penumbra, TexturesOfTheAlbedoStaySharp)
 {

@@ -48,10 +48,9 @@ private:
     struct Client {
         std::shared_ptr<Session> session;
         BegunPicture paused;
-        std::unique_ptr<Refinement>
-            refinement;                 ///< of the last picture at rest; null: none
-        double unseen_ms = 0.0;         ///< of tracing since its last picture
-        Clock::time_point moved{};      ///< when a picture that is not long was drawn last
+        std::unique_ptr<Refinement> refinement; ///< of the last picture at rest; null: none
+        double unseen_ms = 0.0;                 ///< of tracing since its last picture
+        Clock::time_point moved{};              ///< when a picture that is not long was drawn last
         Clock::time_point long_after{}; ///< no long picture is drawn before this while other sessions move
     };
     using Clients = std::vector<std::shared_ptr<Client>>;

@@ -142,6 +142,7 @@ bool FullLight::fill_cache(const PictureContext& picture, const ForTiles& for_ti
             next_.reset();
             continue;
         }
+        next_->finish();
         known_ = std::move(next_);
         ++round_;
     }

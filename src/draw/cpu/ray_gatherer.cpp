@@ -4,11 +4,25 @@
 #include "draw/cpu/ray_kernel.h"
 #include "draw/cpu/specular_kernel.h"
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 
 namespace lambent::draw {
+namespace {
+
+glm::vec3 sum_of(const std::array<glm::vec3, light_classes>& light)
+{
+    return light[diffuse_light] + light[glossy_light];
+}
+
+glm::vec3 all_of(const RayLight& found)
+{
+    return found.lights_found + sum_of(found.found);
+}
+
+} // namespace
 
 RayGatherer::RayGatherer(const PictureContext& picture, const WorldCache* cache)
     : picture_(picture), cache_(cache), seen_(picture), near_(picture), first_(picture), second_(picture)
@@ -110,29 +124,37 @@ void RayGatherer::light_of_hits(RayStep& step, const WorldCache* cache)
             glm::vec3& light = light_[f.pixel[at]];
             const std::array<glm::vec3, light_classes> unshadowed = unshadowed_light(f, at);
             if (cache)
-                light = cache->true_light(point_of(met, at), unshadowed);
+                light = sum_of(cache->true_light(point_of(met, at), unshadowed));
             light += emitted(met, at);
         }
 }
 
-// Whether the light of a surface that a ray met is found by rays of its own, because the cache's cells are too wide for what
-// is so near.
-bool RayGatherer::asks_further(const RayWave& met, std::size_t at) const
+// Whether a surface that a ray met is so near that the cache's cells are too wide for its light.
+bool RayGatherer::is_near(const RayWave& met, std::size_t at) const
 {
     constexpr float near_cells = 2.0f;
     return met.fragments()[hit_distance][at] < near_cells * cache_->side_at(point_of(met, at).distance);
 }
 
-// Replaces the light of such hits.
+// Whether it mirrors, as seen along the ray: the cache's cells do not know from where glossy light comes.
+bool RayGatherer::mirrors(const RayWave& met, std::size_t at) const
+{
+    constexpr float widest = 0.25f; // alpha
+    const Fragments& f = met.fragments();
+    return f[column_alpha][at] < widest && f[column_reflected][at] > 0.0f;
+}
+
+// Finds the light of such hits by rays of their own.
 void RayGatherer::follow(std::uint32_t sample)
 {
     const RayWave& met = first_.met();
-    further_.clear();
+    further_.clear(), asked_.clear();
     for (const Fragments::Group& group : met.fragments().groups)
         for (std::size_t at = group.begin; at < group.end; ++at)
-            if (met.fragments().weight[at] > 0.0f && asks_further(met, at)) {
+            if (const bool near = is_near(met, at);
+                met.fragments().weight[at] > 0.0f && (near || mirrors(met, at))) {
                 further_.push_back(first_.lobes()[met.fragments().pixel[at]]);
-                further_.back().owner = met.fragments().pixel[at];
+                asked_.push_back({at, near});
             }
     if (further_.empty())
         return;
@@ -149,10 +171,23 @@ void RayGatherer::follow(std::uint32_t sample)
         for (std::size_t at = group.begin; at < group.end; ++at) {
             if (f.weight[at] <= 0.0f)
                 continue;
-            light_[further_[f.pixel[at]].owner] = emitted(near_, at) + found_[at].lights_found +
-                                                  found_[at].found[diffuse_light] +
-                                                  found_[at].found[glossy_light];
+            const Asked& asked = asked_[f.pixel[at]];
+            light_[met.fragments().pixel[asked.at]] =
+                emitted(near_, at) + (asked.near ? all_of(found_[at]) : mirrored(met, asked.at, found_[at]));
         }
+}
+
+// Light of a surface that mirrors: its glossy light by a ray. Of the light without shadows, which is known exactly, the share
+// that arrives by the cache is a control variate.
+glm::vec3 RayGatherer::mirrored(const RayWave& met, std::size_t at, const RayLight& found) const
+{
+    const std::array<glm::vec3, light_classes> unshadowed = unshadowed_light(met.fragments(), at),
+                                               cached = cache_->true_light(point_of(met, at), unshadowed);
+    const glm::vec3 &exact = unshadowed[glossy_light], &known = cached[glossy_light];
+    const float share =
+        std::min((known.r + known.g + known.b) / std::max(exact.r + exact.g + exact.b, 1e-30f), 1.0f);
+    const glm::vec3 glossy = found.found[glossy_light] + share * (exact - found.unshadowed[glossy_light]);
+    return cached[diffuse_light] + glm::max(glossy, glm::vec3(0.0f));
 }
 
 void RayGatherer::gather(const TileArea& area, std::uint32_t sample, const Frame& frame, LightSums& sums)

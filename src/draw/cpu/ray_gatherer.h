@@ -45,16 +45,22 @@ private:
     std::array<glm::vec3, light_classes> unshadowed_light(const Fragments& f, std::size_t at) const;
     glm::vec3 emitted(const RayWave& wave, std::size_t at) const;
     void light_of_hits(RayStep& step, const WorldCache* cache);
-    bool asks_further(const RayWave& met, std::size_t at) const;
+    bool is_near(const RayWave& met, std::size_t at) const;
+    bool mirrors(const RayWave& met, std::size_t at) const;
+    glm::vec3 mirrored(const RayWave& met, std::size_t at, const RayLight& found) const;
     void follow(std::uint32_t sample);
 
     const PictureContext& picture_;
     const WorldCache* cache_;
     RayWave seen_, near_;
-    RayStep first_, second_;      ///< the steps from what the camera sees, and from what that step met
-    std::vector<WaveRay> sights_; ///< camera rays; owner: the pixel's number in the picture
-    std::vector<WaveRay>
-        further_; ///< rays along lobes whose hits are asked further; owner: index into light_
+    RayStep first_, second_;       ///< the steps from what the camera sees, and from what that step met
+    std::vector<WaveRay> sights_;  ///< camera rays; owner: the pixel's number in the picture
+    std::vector<WaveRay> further_; ///< rays along lobes whose hits are asked further
+    struct Asked {
+        std::size_t at; ///< the hit's index in the first step's fragments
+        bool near;      ///< whether rays replace all of its light
+    };
+    std::vector<Asked> asked_; ///< of each of further_
     std::vector<glm::vec3> near_light_;
     std::vector<glm::vec3> light_; ///< of what a step's rays met
     std::vector<RayLight> found_;

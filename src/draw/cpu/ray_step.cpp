@@ -17,12 +17,13 @@ constexpr std::size_t first_of_rays = 2;
 constexpr int random_columns = lobe_way - random_lobe;
 
 // Rays that share the environment's light around a point: their blurs cover the sphere together. Each blur is an error,
-// which no number of such rays takes away: where a pixel has had more rays, those that follow read less of it.
+// which no number of such rays takes away: where a pixel has had more rays, those that follow read less of it. Cells of the
+// cache have many rays.
 float rays_together(std::uint32_t sample)
 {
-    constexpr float at_first = 4.0f, at_last = 64.0f;
+    constexpr float at_first = 4.0f, at_last = 64.0f, of_cache = 32.0f;
     return sample < first_sample_of_cache ? std::min(at_first + 0.5f * static_cast<float>(sample), at_last)
-                                          : at_first;
+                                          : of_cache;
 }
 
 // Origin of rays that leave a surface point, offset so that they do not meet the point's own triangle: floats of its

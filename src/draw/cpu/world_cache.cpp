@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace lambent::draw {
 namespace {
@@ -23,6 +24,13 @@ bool is_finite(const CachePoint& point)
 {
     const glm::vec3 sum = point.position + point.normal;
     return std::isfinite(sum.x + sum.y + sum.z) && std::isfinite(point.distance);
+}
+
+// The range of one coordinate of a normal: sevenths in the smallest cells, in others fifths made of these.
+long turn_of(float coordinate, int level)
+{
+    const long narrow = std::lround(coordinate * 3.0f);
+    return level == 0 ? narrow : std::lround(static_cast<float>(narrow) * (2.0f / 3.0f));
 }
 
 } // namespace
@@ -47,7 +55,6 @@ std::uint64_t WorldCache::key_of(const CachePoint& point, int level) const
     if (level >= places)
         return std::uint64_t{1} + hashed(level == places ? point.instance : 0u, kind);
     const float side = side_at(point.distance) * static_cast<float>(1 << (2 * level));
-    const float turns = level == 0 ? 3.0f : 2.0f;
     std::uint32_t low = hashed(point.instance, kind);
     low = hashed(low, static_cast<std::uint32_t>(std::ilogb(side)));
     std::uint32_t high = hashed(low, 0x5bd1e995u);
@@ -55,7 +62,7 @@ std::uint64_t WorldCache::key_of(const CachePoint& point, int level) const
         const double cell = std::floor(static_cast<double>(point.position[axis]) / static_cast<double>(side));
         const auto place =
             static_cast<std::uint32_t>(static_cast<std::int64_t>(std::clamp(cell, -0x1p40, 0x1p40)));
-        const auto turn = static_cast<std::uint32_t>(std::lround(point.normal[axis] * turns) + 8);
+        const auto turn = static_cast<std::uint32_t>(turn_of(point.normal[axis], level) + 8);
         low = hashed(hashed(low, place), turn);
         high = hashed(hashed(high, place), turn);
     }
@@ -111,15 +118,54 @@ void WorldCache::add(const CachePoint& point, const CachedLight& light)
 {
     if (!is_finite(point))
         return;
-    for (int level = 0; level < levels; ++level)
-        if (Cell* const cell = find_or_make(key_of(point, level)))
+    std::uint32_t parent = 0;
+    for (int level = levels - 1; level >= 0; --level)
+        if (Cell* const cell = find_or_make(key_of(point, level))) {
+            cell->parent.store(parent, std::memory_order_relaxed);
+            cell->level.store(static_cast<std::uint8_t>(level), std::memory_order_relaxed);
             add(*cell, light);
+            parent = static_cast<std::uint32_t>(cell - table_.get());
+        }
 }
 
-glm::vec3 WorldCache::light_of(const Cell& cell, const std::array<glm::vec3, light_classes>& light) const
+void WorldCache::take_away(Cell& from, const Cell& cell)
+{
+    from.points -= cell.points;
+    for (std::size_t i = 0; i < cell.sums.size(); ++i)
+        for (std::size_t k = 0; k < light_classes; ++k)
+            for (std::size_t c = 0; c < 3; ++c)
+                from.sums[i][k][c] -= cell.sums[i][k][c];
+}
+
+// Takes the points of cells with enough away from the wider places around them, the smallest cells first. From an
+// instance they are taken together in the end, if enough are left; the scene keeps all, so that there is always an answer.
+void WorldCache::finish()
+{
+    std::vector<std::int64_t> elsewhere(capacity, 0); // points of an instance's cell that are in smaller ones
+    std::vector<std::pair<const Cell*, std::uint32_t>> of_instances;
+    for (int level = 0; level < places; ++level)
+        for (std::size_t i = 0; i < capacity; ++i) {
+            const Cell& cell = table_[i];
+            if (cell.key == 0 || cell.level != level || cell.points < enough_points)
+                continue;
+            std::uint32_t wider = cell.parent;
+            for (; table_[wider].level < places; wider = table_[wider].parent)
+                take_away(table_[wider], cell);
+            elsewhere[wider] += cell.points;
+            of_instances.emplace_back(&cell, wider);
+        }
+    for (std::size_t i = 0; i < capacity; ++i)
+        elsewhere[i] = table_[i].level == places ? table_[i].points - elsewhere[i] : 0;
+    for (const auto& [cell, instance] : of_instances)
+        if (elsewhere[instance] >= enough_points)
+            take_away(table_[instance], *cell);
+}
+
+std::array<glm::vec3, light_classes>
+WorldCache::light_of(const Cell& cell, const std::array<glm::vec3, light_classes>& light) const
 {
     const double points = static_cast<double>(cell.points.load(std::memory_order_relaxed));
-    glm::vec3 sum(0.0f);
+    std::array<glm::vec3, light_classes> result{};
     for (std::size_t k = 0; k < light_classes; ++k)
         for (int c = 0; c < 3; ++c) {
             const auto& sums = cell.sums;
@@ -129,14 +175,14 @@ glm::vec3 WorldCache::light_of(const Cell& cell, const std::array<glm::vec3, lig
             const double found = static_cast<double>(sums[1][k][channel].load(std::memory_order_relaxed));
             const double most = static_cast<double>(most_ratio) * std::max(unshadowed, 0.0);
             const double ratio = unshadowed > 0.0 ? std::clamp(found, 0.0, most) / unshadowed : 0.0;
-            sum[c] += light[k][c] * static_cast<float>(ratio) +
-                      static_cast<float>(std::max(found - most, 0.0) / (points * scale_));
+            result[k][c] = light[k][c] * static_cast<float>(ratio) +
+                           static_cast<float>(std::max(found - most, 0.0) / (points * scale_));
         }
-    return sum;
+    return result;
 }
 
-glm::vec3 WorldCache::true_light(const CachePoint& point,
-                                 const std::array<glm::vec3, light_classes>& light) const
+std::array<glm::vec3, light_classes>
+WorldCache::true_light(const CachePoint& point, const std::array<glm::vec3, light_classes>& light) const
 {
     for (int level = is_finite(point) ? 0 : places; level < levels; ++level) {
         const Cell* const cell = find(key_of(point, level));
@@ -144,7 +190,7 @@ glm::vec3 WorldCache::true_light(const CachePoint& point,
         if (points >= enough_points || (points > 0 && level == levels - 1))
             return light_of(*cell, light);
     }
-    return light[diffuse_light] + light[glossy_light];
+    return light;
 }
 
 } // namespace lambent::draw

@@ -44,9 +44,13 @@ public:
     /// Adds the light at a point. Any number of threads may call it at once.
     void add(const CachePoint& point, const CachedLight& light);
 
-    /// The true light at a point whose unshadowed light is `light`. Where the cache knows little, that of the instance's or
-    /// of the scene's points serves.
-    glm::vec3 true_light(const CachePoint& point, const std::array<glm::vec3, light_classes>& light) const;
+    /// Must be called between the last add() and the first true_light().
+    void finish();
+
+    /// The true light at a point whose unshadowed light is `light`, in its classes. Where the cache knows little, that of the
+    /// instance's or of the scene's points serves.
+    std::array<glm::vec3, light_classes> true_light(const CachePoint& point,
+                                                    const std::array<glm::vec3, light_classes>& light) const;
 
     /// Side of the smallest cells around points at that distance from the camera, metres.
     float side_at(float distance) const;
@@ -60,7 +64,9 @@ private:
         5; ///< the last two are an instance's and the scene's, one cell for each side
 
     struct Cell {
-        std::atomic<std::uint64_t> key = 0; ///< 0: empty
+        std::atomic<std::uint64_t> key = 0;    ///< 0: empty
+        std::atomic<std::uint32_t> parent = 0; ///< the next wider cell around it
+        std::atomic<std::uint8_t> level = 0;
         std::atomic<std::int64_t> points = 0;
         std::array<std::array<std::array<std::atomic<std::int64_t>, 3>, light_classes>, 2> sums{};
     };
@@ -69,7 +75,9 @@ private:
     const Cell* find(std::uint64_t key) const;
     Cell* find_or_make(std::uint64_t key);
     void add(Cell& cell, const CachedLight& light) const;
-    glm::vec3 light_of(const Cell& cell, const std::array<glm::vec3, light_classes>& light) const;
+    static void take_away(Cell& from, const Cell& cell);
+    std::array<glm::vec3, light_classes> light_of(const Cell& cell,
+                                                  const std::array<glm::vec3, light_classes>& light) const;
 
     std::unique_ptr<Cell[]> table_;
     std::atomic<std::size_t> cells_ = 0;

@@ -1,0 +1,88 @@
+#include "denoise/control_shares.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lambent::denoise {
+namespace {
+
+constexpr int side = 16;
+
+struct Sums {
+    double unshadowed = 0.0, found = 0.0;
+};
+
+// Light of the pixels in a square, all channels and both halves.
+Sums sums_of(const Picture& picture, const Light& light, int column, int row)
+{
+    Sums sums;
+    const int right = std::min((column + 1) * side, picture.width),
+              bottom = std::min((row + 1) * side, picture.height);
+    for (int y = row * side; y < bottom; ++y)
+        for (int x = column * side; x < right; ++x) {
+            const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
+                                  static_cast<std::size_t>(x);
+            if (!(picture.guides.coverage[i] > 0.0f))
+                continue;
+            float unshadowed = 0.0f, found = 0.0f;
+            for (const Half& half : light.halves)
+                for (std::size_t c = 0; c < 3; ++c)
+                    unshadowed += half.unshadowed[c][i], found += half.found[c][i];
+            const auto weight = static_cast<double>(picture.guides.coverage[i] * picture.count[i]);
+            sums.unshadowed += weight * static_cast<double>(unshadowed);
+            sums.found += weight * static_cast<double>(found);
+        }
+    return sums;
+}
+
+float share_of(const Sums& sums)
+{
+    if (!(sums.unshadowed > 0.0))
+        return 1.0f;
+    const double ratio = sums.found / sums.unshadowed;
+    return static_cast<float>(std::min(4.0 * ratio * ratio, 1.0));
+}
+
+} // namespace
+
+ControlShares::ControlShares(const Picture& picture, const Light& light)
+    : columns_((picture.width + side - 1) / side), rows_((picture.height + side - 1) / side)
+{
+    std::vector<Sums> squares;
+    for (int row = 0; row < rows_; ++row)
+        for (int column = 0; column < columns_; ++column)
+            squares.push_back(sums_of(picture, light, column, row));
+    for (int row = 0; row < rows_; ++row)
+        for (int column = 0; column < columns_; ++column) {
+            Sums sums;
+            for (int y = std::max(row - 1, 0); y <= std::min(row + 1, rows_ - 1); ++y)
+                for (int x = std::max(column - 1, 0); x <= std::min(column + 1, columns_ - 1); ++x) {
+                    const Sums& square = squares[static_cast<std::size_t>(y * columns_ + x)];
+                    sums.unshadowed += square.unshadowed;
+                    sums.found += square.found;
+                }
+            shares_.push_back(share_of(sums));
+        }
+}
+
+float ControlShares::at(int column, int row) const
+{
+    return shares_[static_cast<std::size_t>(std::clamp(row, 0, rows_ - 1) * columns_ +
+                                            std::clamp(column, 0, columns_ - 1))];
+}
+
+void ControlShares::fill(int y, int first, int columns, float* to) const
+{
+    const auto place = [](int pixel) {
+        return (static_cast<float>(pixel) + 0.5f) / static_cast<float>(side) - 0.5f;
+    };
+    const float down = place(y), row = std::floor(down);
+    for (int i = 0; i < columns; ++i) {
+        const float across = place(first + i), column = std::floor(across);
+        const int c = static_cast<int>(column), r = static_cast<int>(row);
+        to[i] = std::lerp(std::lerp(at(c, r), at(c + 1, r), across - column),
+                          std::lerp(at(c, r + 1), at(c + 1, r + 1), across - column), down - row);
+    }
+}
+
+} // namespace lambent::denoise
