@@ -1,5 +1,5 @@
 // The rays that leave surfaces: which light each asks for, and how much of it reaches the viewer.
-#include "draw/cpu/random_points.h"
+#include "draw/light/random_points.h"
 #include "draw/cpu/ray_kernel.h"
 #include "tests/draw/test_scenes.h"
 

@@ -88,11 +88,11 @@ private:
             base["baseColorTexture"] = {
                 {"index", use.image},
                 {"extensions",
-                 {{"KHR_texture_transform", {{"scale", {t[0][0], t[1][1]}}, {"offset", {t[2][0], t[2][1]}}}}}}};
+                 {{"KHR_texture_transform",
+                   {{"scale", {t[0][0], t[1][1]}}, {"offset", {t[2][0], t[2][1]}}}}}}};
             use_extension("KHR_texture_transform");
         }
-        json material = {
-            {"name", m.name}, {"pbrMetallicRoughness", base}, {"doubleSided", m.double_sided}};
+        json material = {{"name", m.name}, {"pbrMetallicRoughness", base}, {"doubleSided", m.double_sided}};
         add_emission(m, material);
         document_["materials"].push_back(material);
     }

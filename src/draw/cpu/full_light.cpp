@@ -1,7 +1,7 @@
 #include "draw/cpu/full_light.h"
 
 #include "denoise/light_filter.h"
-#include "draw/cpu/random_points.h"
+#include "draw/light/random_points.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -13,13 +13,10 @@
 namespace lambent::draw {
 namespace {
 
-// Each round adds a bounce to the light that the cache knows. Later ones would change it by little, but in white rooms.
-constexpr int most_rounds = 5;
+// Camera rays that find places for the cache, at least.
+constexpr double rays_of_cache = 60000.0;
 
-// Camera rays of a round that fills the cache, at least, and of the last one.
-constexpr double rays_of_round = 20000.0, rays_of_last_round = 60000.0;
-
-// Camera rays of one pixel in a round, at most.
+// Those of one pixel, at most.
 constexpr std::uint32_t most_of_pixel = 64;
 
 // Samples of a pixel in a pass, one of each half.
@@ -98,54 +95,38 @@ void add_to_pixel(const std::vector<image::RadianceImage*>& images, int x, int y
 FullLight::FullLight(const Settings& settings, const view::PixelArea& covered,
                      std::shared_ptr<const WorldCache> known)
     : settings_(settings), sums_(covered), tiles_(settings.width, settings.height),
-      rounds_(known ? 0 : std::clamp(settings.bounces - 1, 0, most_rounds)), passes_(settings.passes),
-      known_(std::move(known))
+      asks_cache_(settings.bounces > 1 && !known), passes_(settings.passes), known_(std::move(known))
 {
 }
 
-// Camera rays of a round over covered pixels: where it is above 1, pixels have several.
-double FullLight::rays_of_pixel(bool last) const
+// Where there are fewer covered pixels than rays, pixels have several.
+RayGatherer::Places FullLight::wanted_places() const
 {
     const denoise::Plane& coverage = sums_.picture.guides.coverage;
     const auto covered = std::count_if(coverage.begin(), coverage.end(), [](float c) { return c > 0.0f; });
-    return (last ? rays_of_last_round : rays_of_round) / std::max(static_cast<double>(covered), 1.0);
+    const double rays = rays_of_cache / std::max(static_cast<double>(covered), 1.0);
+    return {std::clamp(static_cast<int>(std::sqrt(1.0 / rays)), 1, 16),
+            std::clamp(static_cast<std::uint32_t>(std::min(rays, 1e6)), 1u, most_of_pixel),
+            settings_.bounces > 2};
 }
 
-bool FullLight::fill_round(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame)
+bool FullLight::find_known(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame)
 {
-    if (!next_)
-        next_ = std::make_unique<WorldCache>(sizes_);
-    const double rays = rays_of_pixel(round_ + 1 == rounds_);
-    const RayGatherer::Filling filling{
-        *next_, std::clamp(static_cast<int>(std::sqrt(1.0 / rays)), 1, 16),
-        first_sample_of_cache + static_cast<std::uint32_t>(round_), most_rounds,
-        std::clamp(static_cast<std::uint32_t>(std::min(rays, 1e6)), 1u, most_of_pixel)};
-    tbb::enumerable_thread_specific<RayGatherer> gatherers(
-        [&] { return RayGatherer(picture, known_.get()); });
-    for_tiles(tiles_, [&](int tile) { gatherers.local().fill(tiles_.area(tile), filling, frame); });
+    if (!asks_cache_ || known_)
+        return true;
+    places_.resize(static_cast<std::size_t>(tiles_.count()));
+    const RayGatherer::Places wanted = wanted_places();
+    tbb::enumerable_thread_specific<RayGatherer> gatherers([&] { return RayGatherer(picture, nullptr); });
+    for_tiles(tiles_, [&](int tile) {
+        gatherers.local().find_places(tiles_.area(tile), wanted, frame,
+                                      places_[static_cast<std::size_t>(tile)]);
+    });
     if (!tiles_.all_done())
         return false;
     tiles_.restart();
-    return true;
-}
-
-// A cache that became full has lost points that depend on the threads; wider cells take its place.
-bool FullLight::fill_cache(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame)
-{
-    if (round_ == 0 && !next_)
-        sizes_.unit = mean_of_covered(frame);
-    while (round_ < rounds_) {
-        if (!fill_round(picture, for_tiles, frame))
-            return false;
-        if (next_->is_full()) {
-            sizes_.side *= 2.0f;
-            next_.reset();
-            continue;
-        }
-        next_->finish();
-        known_ = std::move(next_);
-        ++round_;
-    }
+    CacheSizes sizes;
+    sizes.unit = mean_of_covered(frame);
+    known_ = fill_cache(std::exchange(places_, {}), sizes, settings_.bounces - 1);
     return true;
 }
 
@@ -208,7 +189,7 @@ bool FullLight::advance(const PictureContext& picture, const ForTiles& for_tiles
 {
     if (!std::exchange(guided_, true))
         make_means(sums_);
-    return fill_cache(picture, for_tiles, frame) && gather(picture, for_tiles, frame);
+    return find_known(picture, for_tiles, frame) && gather(picture, for_tiles, frame);
 }
 
 } // namespace lambent::draw

@@ -4,16 +4,17 @@
 #include "draw/cpu/light_sums.h"
 #include "draw/cpu/ray_gatherer.h"
 #include "draw/cpu/tiles.h"
-#include "draw/cpu/world_cache.h"
+#include "draw/light/cache_rounds.h"
 #include "draw/frame.h"
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 namespace lambent::draw {
 
-/// Finds the light in stages, each over all tiles: rounds that fill the cache, each with the light that the one before
-/// knew, so that each adds a bounce; then rays from what the camera sees. May be stopped between tiles.
+/// Finds the light in stages, each over all tiles: places for the cache, which is filled with them; then passes of rays from
+/// what the camera sees. May be stopped between tiles.
 class FullLight {
 public:
     /// `covered`: the area of the picture in which surfaces can be seen. `known`: a cache to take the light from, filled;
@@ -22,7 +23,7 @@ public:
               std::shared_ptr<const WorldCache> known);
 
     /// The cache, once it is filled; null before, and where one bounce needs none.
-    std::shared_ptr<const WorldCache> known() const { return round_ == rounds_ ? known_ : nullptr; }
+    std::shared_ptr<const WorldCache> known() const { return known_; }
 
     /// Where the tiles of the picture without shadows leave what the later stages need.
     LightSums& sums() { return sums_; }
@@ -42,24 +43,23 @@ public:
     void apply(Frame& frame, const std::function<void()>& check) const;
 
     /// Calls of for_tiles' second argument for each tile, over all stages.
-    int stages() const { return rounds_ + passes_; }
+    int stages() const { return (asks_cache_ ? 1 : 0) + passes_; }
 
 private:
-    bool fill_round(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame);
-    bool fill_cache(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame);
+    bool find_known(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame);
     bool gather(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame);
-    double rays_of_pixel(bool last) const;
+    RayGatherer::Places wanted_places() const;
     void apply(const denoise::FilteredRow& row, const std::vector<image::RadianceImage*>& images) const;
 
     const Settings& settings_;
     LightSums sums_;
     Tiles tiles_;
-    int rounds_, passes_;      ///< asked for: rounds fill the cache, passes leave what the camera sees
-    int round_ = 0, pass_ = 0; ///< the current ones
-    bool guided_ = false;      ///< whether the sums of the picture without shadows are means
-    WorldCache::Sizes sizes_;
-    std::shared_ptr<const WorldCache> known_; ///< of the last round
-    std::unique_ptr<WorldCache> next_;        ///< of this one
+    bool asks_cache_;     ///< whether there is light that a cache has to know and none is given
+    int passes_;          ///< asked for
+    int pass_ = 0;        ///< the current one
+    bool guided_ = false; ///< whether the sums of the picture without shadows are means
+    std::vector<std::vector<PlaceSample>> places_; ///< by tile, until the cache is filled
+    std::shared_ptr<const WorldCache> known_;
 };
 
 } // namespace lambent::draw

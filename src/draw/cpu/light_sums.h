@@ -2,7 +2,7 @@
 #pragma once
 
 #include "denoise/light_filter.h"
-#include "draw/cpu/light_class.h"
+#include "draw/light/light_class.h"
 #include "view/covered_area.h"
 
 #include <glm/vec3.hpp>

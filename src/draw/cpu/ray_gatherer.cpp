@@ -1,6 +1,6 @@
 #include "draw/cpu/ray_gatherer.h"
 
-#include "draw/cpu/random_points.h"
+#include "draw/light/random_points.h"
 #include "draw/cpu/ray_kernel.h"
 #include "draw/cpu/specular_kernel.h"
 
@@ -67,7 +67,7 @@ void RayGatherer::light_unshadowed(RayWave& wave)
     for (const Fragments::Group& group : f.groups) {
         for (int c = column_direct; c < columns_of_light_end; ++c)
             std::fill(f[c] + group.begin, f[c] + group.end, 0.0f);
-        if (picture_.scene.surface(group.instance).material->unlit || !cache_)
+        if (picture_.scene.surface(group.instance).material->unlit)
             continue;
         if (!prepared.lights.empty())
             light_directly(prepared.hit_light, prepared.lights, group.begin, group.end, f);
@@ -110,30 +110,39 @@ glm::vec3 RayGatherer::emitted(const RayWave& wave, std::size_t at) const
     return culled ? glm::vec3(0.0f) : three(wave.fragments(), column_emissive, at);
 }
 
-// Light that each ray of a step brings from the surface that it met; without a cache, only what that emits.
-void RayGatherer::light_of_hits(RayStep& step, const WorldCache* cache)
+// Light that each ray of a step brings because the surface that it met emits it.
+void RayGatherer::emission_of_hits(const RayStep& step)
 {
-    RayWave& met = step.met();
-    light_unshadowed(met);
+    const RayWave& met = step.met();
     const Fragments& f = met.fragments();
     light_.assign(step.lobes().size(), glm::vec3(0.0f));
     for (const Fragments::Group& group : f.groups)
-        for (std::size_t at = group.begin; at < group.end; ++at) {
-            if (f.weight[at] <= 0.0f)
-                continue;
-            glm::vec3& light = light_[f.pixel[at]];
-            const std::array<glm::vec3, light_classes> unshadowed = unshadowed_light(f, at);
-            if (cache)
-                light = sum_of(cache->true_light(point_of(met, at), unshadowed));
-            light += emitted(met, at);
-        }
+        for (std::size_t at = group.begin; at < group.end; ++at)
+            if (f.weight[at] > 0.0f)
+                light_[f.pixel[at]] = emitted(met, at);
+}
+
+// Light that each ray of a step brings from the surface that it met; without a cache, only what that emits.
+void RayGatherer::light_of_hits(RayStep& step, const WorldCache* cache)
+{
+    emission_of_hits(step);
+    if (!cache)
+        return;
+    RayWave& met = step.met();
+    light_unshadowed(met);
+    const Fragments& f = met.fragments();
+    for (const Fragments::Group& group : f.groups)
+        for (std::size_t at = group.begin; at < group.end; ++at)
+            if (f.weight[at] > 0.0f)
+                light_[f.pixel[at]] += sum_of(cache->true_light(point_of(met, at), unshadowed_light(f, at)));
 }
 
 // Whether a surface that a ray met is so near that the cache's cells are too wide for its light.
 bool RayGatherer::is_near(const RayWave& met, std::size_t at) const
 {
     constexpr float near_cells = 2.0f;
-    return met.fragments()[hit_distance][at] < near_cells * cache_->side_at(point_of(met, at).distance);
+    return met.fragments()[hit_distance][at] <
+           near_cells * cache_->cells().side_at(point_of(met, at).distance);
 }
 
 // Whether it mirrors, as seen along the ray: the cache's cells do not know from where glossy light comes.
@@ -217,33 +226,60 @@ void RayGatherer::gather(const TileArea& area, std::uint32_t sample, const Frame
         }
 }
 
-void RayGatherer::fill(const TileArea& area, const Filling& filling, const Frame& frame)
+void RayGatherer::find_places(const TileArea& area, const Places& wanted, const Frame& frame,
+                              std::vector<PlaceSample>& places)
 {
-    for (std::uint32_t i = 0; i < filling.samples; ++i)
-        fill(area, filling.cache, filling.sample + i * filling.step, filling.spacing, frame);
+    for (std::uint32_t i = 0; i < wanted.samples; ++i) {
+        const std::uint32_t sample = first_sample_of_cache + i;
+        look(area, sample, wanted.spacing, frame);
+        if (sights_.empty())
+            continue;
+        first_.send(seen_, sights_, sample);
+        soften_all(first_.met());
+        second_.send(first_.met(), first_.lobes(), sample);
+        add_places(wanted, places);
+    }
 }
 
-void RayGatherer::fill(const TileArea& area, WorldCache& cache, std::uint32_t sample, int spacing,
-                       const Frame& frame)
+// The surfaces that the first step met, with the light that the second step found but for what surfaces reflect.
+void RayGatherer::add_places(const Places& wanted, std::vector<PlaceSample>& places)
 {
-    look(area, sample, spacing, frame);
-    if (sights_.empty())
-        return;
-    first_.send(seen_, sights_, sample);
-    RayWave& met = first_.met();
-    soften_all(met);
-    second_.send(met, first_.lobes(), sample);
-    light_of_hits(second_, cache_);
+    const RayWave& met = first_.met();
+    const Fragments& f = met.fragments();
+    emission_of_hits(second_);
     second_.collect(met, light_, found_);
+    place_of_.assign(f.size(), 0);
+    for (const Fragments::Group& group : f.groups)
+        for (std::size_t at = group.begin; at < group.end; ++at) {
+            if (f.weight[at] <= 0.0f)
+                continue;
+            PlaceSample sample;
+            sample.place = point_of(met, at);
+            sample.light = {found_[at].unshadowed, found_[at].found};
+            sample.light.unshadowed[diffuse_light] += found_[at].lights_unshadowed;
+            sample.light.found[diffuse_light] += found_[at].lights_found;
+            sample.share = {three(f, lobe_diffuse, at), three(f, lobe_glossy, at)};
+            place_of_[at] = places.size();
+            places.push_back(sample);
+        }
+    if (wanted.further)
+        add_further(places);
+}
+
+// The surfaces that the second step met, to the places that see them.
+void RayGatherer::add_further(std::vector<PlaceSample>& places)
+{
+    RayWave& met = second_.met();
+    light_unshadowed(met);
     const Fragments& f = met.fragments();
     for (const Fragments::Group& group : f.groups)
         for (std::size_t at = group.begin; at < group.end; ++at) {
             if (f.weight[at] <= 0.0f)
                 continue;
-            CachedLight light{found_[at].unshadowed, found_[at].found};
-            light.unshadowed[diffuse_light] += found_[at].lights_unshadowed;
-            light.found[diffuse_light] += found_[at].lights_found;
-            cache.add(point_of(met, at), light);
+            PlaceSample& sample = places[place_of_[second_.lobes()[f.pixel[at]].owner]];
+            sample.has_further = true;
+            sample.further = point_of(met, at);
+            sample.further_light = unshadowed_light(f, at);
         }
 }
 

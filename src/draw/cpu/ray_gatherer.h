@@ -4,7 +4,7 @@
 #include "draw/cpu/light_sums.h"
 #include "draw/cpu/ray_step.h"
 #include "draw/cpu/ray_wave.h"
-#include "draw/cpu/world_cache.h"
+#include "draw/light/cache_rounds.h"
 
 #include <cstdint>
 #include <vector>
@@ -26,24 +26,26 @@ public:
     /// surface covers get no rays.
     void gather(const TileArea& area, std::uint32_t sample, const Frame& frame, LightSums& sums);
 
-    /// Adds to `cache` what the rays of one pixel in `spacing`^2 find where they meet surfaces.
-    struct Filling {
-        WorldCache& cache;
-        int spacing;           ///< 1 or more
-        std::uint32_t sample;  ///< number of the first sample of each pixel
-        std::uint32_t step;    ///< to the number of its next
-        std::uint32_t samples; ///< of each pixel
+    /// Where the rays of some pixels meet surfaces.
+    struct Places {
+        int spacing;           ///< one pixel in spacing^2; 1 or more
+        std::uint32_t samples; ///< of each of these pixels
+        bool further;          ///< whether the light of the surfaces that these places see is wanted
     };
-    void fill(const TileArea& area, const Filling& filling, const Frame& frame);
+    /// Adds these places, with what the rays that leave them found.
+    void find_places(const TileArea& area, const Places& wanted, const Frame& frame,
+                     std::vector<PlaceSample>& places);
 
 private:
-    void fill(const TileArea& area, WorldCache& cache, std::uint32_t sample, int spacing, const Frame& frame);
+    void add_places(const Places& wanted, std::vector<PlaceSample>& places);
+    void add_further(std::vector<PlaceSample>& places);
     void look(const TileArea& area, std::uint32_t sample, int spacing, const Frame& frame);
     void light_unshadowed(RayWave& wave);
     void soften_all(RayWave& wave) const;
     CachePoint point_of(const RayWave& wave, std::size_t at) const;
     std::array<glm::vec3, light_classes> unshadowed_light(const Fragments& f, std::size_t at) const;
     glm::vec3 emitted(const RayWave& wave, std::size_t at) const;
+    void emission_of_hits(const RayStep& step);
     void light_of_hits(RayStep& step, const WorldCache* cache);
     bool is_near(const RayWave& met, std::size_t at) const;
     bool mirrors(const RayWave& met, std::size_t at) const;
@@ -64,6 +66,7 @@ private:
     std::vector<glm::vec3> near_light_;
     std::vector<glm::vec3> light_; ///< of what a step's rays met
     std::vector<RayLight> found_;
+    std::vector<std::size_t> place_of_; ///< of each of the first step's fragments
 };
 
 } // namespace lambent::draw

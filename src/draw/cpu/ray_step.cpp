@@ -1,6 +1,6 @@
 #include "draw/cpu/ray_step.h"
 
-#include "draw/cpu/random_points.h"
+#include "draw/light/random_points.h"
 #include "draw/cpu/ray_kernel.h"
 
 #include <glm/common.hpp>

@@ -1,7 +1,7 @@
 // One step of light: the rays that leave the surfaces of a wave, and the light that they bring.
 #pragma once
 
-#include "draw/cpu/light_class.h"
+#include "draw/light/light_class.h"
 #include "draw/cpu/ray_wave.h"
 
 #include <array>
@@ -23,6 +23,7 @@ public:
     /// The rays along lobes, and the surfaces that they met, without light.
     const std::vector<WaveRay>& lobes() const { return lobes_; }
     RayWave& met() { return met_; }
+    const RayWave& met() const { return met_; }
 
     /// Adds up the light of each fragment of `from`, where light[i] is what lobes()[i] brings from a surface.
     void collect(const RayWave& from, const std::vector<glm::vec3>& light,

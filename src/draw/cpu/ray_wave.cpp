@@ -1,6 +1,6 @@
 #include "draw/cpu/ray_wave.h"
 
-#include "draw/cpu/random_points.h"
+#include "draw/light/random_points.h"
 #include "draw/reach.h"
 
 #include <algorithm>
