@@ -73,15 +73,19 @@ float ControlShares::at(int column, int row) const
 
 void ControlShares::fill(int y, int first, int columns, float* to) const
 {
-    const auto place = [](int pixel) {
-        return (static_cast<float>(pixel) + 0.5f) / static_cast<float>(side) - 0.5f;
+    const float down = (static_cast<float>(y) + 0.5f) / static_cast<float>(side) - 0.5f;
+    const int row = static_cast<int>(std::floor(down));
+    const auto of_column = [&](int column) {
+        return std::lerp(at(column, row), at(column, row + 1), down - static_cast<float>(row));
     };
-    const float down = place(y), row = std::floor(down);
-    for (int i = 0; i < columns; ++i) {
-        const float across = place(first + i), column = std::floor(across);
-        const int c = static_cast<int>(column), r = static_cast<int>(row);
-        to[i] = std::lerp(std::lerp(at(c, r), at(c + 1, r), across - column),
-                          std::lerp(at(c, r + 1), at(c + 1, r + 1), across - column), down - row);
+    // Between the centres of two columns of squares.
+    for (int x = first; x < first + columns;) {
+        const int column = (x + side / 2) / side - 1,
+                  end = std::min((column + 1) * side + side / 2, first + columns);
+        const float left = of_column(column),
+                    step = (of_column(column + 1) - left) / static_cast<float>(side);
+        for (; x < end; ++x)
+            to[x - first] = left + step * (static_cast<float>(x - column * side - side / 2) + 0.5f);
     }
 }
 

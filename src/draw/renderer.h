@@ -18,7 +18,7 @@ public:
     virtual ~Drawing() = default;
 
     /// Called with the fraction that is done; returns whether to go on. Called from any thread, one call at a time,
-    /// once for every finished part, including parts that were being drawn when it returned false.
+    /// once for every finished part, including parts that were being drawn when it returned false, and at times within a part.
     using GoOn = std::function<bool(float)>;
 
     /// Draws until the picture is complete or `go_on`, if set, returns false, but at least one part. Returns whether

@@ -31,7 +31,15 @@ public:
     {
         const std::lock_guard lock(mutex_);
         ++done_;
-        if (go_on_ && !go_on_(std::min(static_cast<float>(done_) / static_cast<float>(all_), 1.0f)))
+        if (go_on_ && !go_on_(fraction()))
+            stopped_ = true;
+    }
+
+    // Asks in the middle of a part.
+    void check()
+    {
+        const std::lock_guard lock(mutex_);
+        if (go_on_ && !stopped_ && !go_on_(fraction()))
             stopped_ = true;
     }
 
@@ -39,6 +47,8 @@ public:
     int done() const { return done_; }
 
 private:
+    float fraction() const { return std::min(static_cast<float>(done_) / static_cast<float>(all_), 1.0f); }
+
     const Drawing::GoOn& go_on_;
     std::mutex mutex_;
     int done_, all_;
@@ -123,8 +133,9 @@ public:
             });
         };
         draw_tiles(picture, for_tiles);
+        const std::function<void()> check = [&] { reporter.check(); };
         const bool complete =
-            tiles_.all_done() && (!full_light_ || full_light_->advance(picture, for_tiles, frame_));
+            tiles_.all_done() && (!full_light_ || full_light_->advance({picture, for_tiles, check, frame_}));
         done_ = reporter.done();
         if (complete && full_light_ && full_light_->known())
             renderer_.remember(full_light_->known());

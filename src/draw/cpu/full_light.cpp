@@ -13,14 +13,11 @@
 namespace lambent::draw {
 namespace {
 
-// Camera rays that find places for the cache, at least.
-constexpr double rays_of_cache = 60000.0;
+// Camera rays that find places for the cache, about.
+constexpr double rays_of_cache = 50000.0;
 
 // Those of one pixel, at most.
 constexpr std::uint32_t most_of_pixel = 64;
-
-// Samples of a pixel in a pass, one of each half.
-constexpr std::uint32_t samples_of_pass = 2;
 
 // Share of the lights' light that reaches a pixel, from its samples and, where they saw no light, from those of its
 // neighbours. A difference would take another amount from the exact light than it has, where samples see the surfaces of a
@@ -83,6 +80,18 @@ Shown shown_in(Frame& frame)
     return shown;
 }
 
+// Squared error of the lights' light at a pixel: each of its samples sees a light or not.
+float error_of_lights(const LightSums& sums, std::size_t pixel)
+{
+    float error = 0.0f;
+    for (int c = 0; c < 3; ++c) {
+        const float all = at(sums.lights_unshadowed, pixel)[c], light = at(sums.lights, pixel)[c];
+        const float lit = all > 0.0f ? at(sums.lights_found, pixel)[c] / all : 0.0f;
+        error += light * light * std::max(lit * (1.0f - lit), 0.0f) / sums.picture.count[pixel];
+    }
+    return error;
+}
+
 void add_to_pixel(const std::vector<image::RadianceImage*>& images, int x, int y, const glm::vec3& change)
 {
     for (image::RadianceImage* const image : images)
@@ -95,7 +104,8 @@ void add_to_pixel(const std::vector<image::RadianceImage*>& images, int x, int y
 FullLight::FullLight(const Settings& settings, const view::PixelArea& covered,
                      std::shared_ptr<const WorldCache> known)
     : settings_(settings), sums_(covered), tiles_(settings.width, settings.height),
-      asks_cache_(settings.bounces > 1 && !known), passes_(settings.passes), known_(std::move(known))
+      asks_cache_(settings.bounces > 1 && !known), passes_(settings.passes),
+      plan_(covered.width, covered.height), known_(std::move(known))
 {
 }
 
@@ -105,44 +115,80 @@ RayGatherer::Places FullLight::wanted_places() const
     const denoise::Plane& coverage = sums_.picture.guides.coverage;
     const auto covered = std::count_if(coverage.begin(), coverage.end(), [](float c) { return c > 0.0f; });
     const double rays = rays_of_cache / std::max(static_cast<double>(covered), 1.0);
-    return {std::clamp(static_cast<int>(std::sqrt(1.0 / rays)), 1, 16),
+    return {static_cast<int>(std::clamp(std::lround(std::sqrt(1.0 / rays)), 1L, 16L)),
             std::clamp(static_cast<std::uint32_t>(std::min(rays, 1e6)), 1u, most_of_pixel),
             settings_.bounces > 2};
 }
 
-bool FullLight::find_known(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame)
+bool FullLight::find_known(const Job& job)
 {
     if (!asks_cache_ || known_)
         return true;
     places_.resize(static_cast<std::size_t>(tiles_.count()));
     const RayGatherer::Places wanted = wanted_places();
-    tbb::enumerable_thread_specific<RayGatherer> gatherers([&] { return RayGatherer(picture, nullptr); });
-    for_tiles(tiles_, [&](int tile) {
-        gatherers.local().find_places(tiles_.area(tile), wanted, frame,
+    tbb::enumerable_thread_specific<RayGatherer> gatherers([&] { return RayGatherer(job.picture, nullptr); });
+    job.for_tiles(tiles_, [&](int tile) {
+        gatherers.local().find_places(tiles_.area(tile), wanted, job.frame,
                                       places_[static_cast<std::size_t>(tile)]);
     });
     if (!tiles_.all_done())
         return false;
     tiles_.restart();
     CacheSizes sizes;
-    sizes.unit = mean_of_covered(frame);
+    sizes.unit = mean_of_covered(job.frame);
     known_ = fill_cache(std::exchange(places_, {}), sizes, settings_.bounces - 1);
     return true;
 }
 
-bool FullLight::gather(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame)
+// Gives the next pass's samples to where the filter's halves differ most, as far as a picture shows it.
+void FullLight::plan_pass(const std::function<void()>& check)
+{
+    const denoise::Picture& known = sums_.picture;
+    denoise::Plane error(known.guides.coverage.size(), 0.0f);
+    denoise::filter_light(known, {settings_.white}, [&](const denoise::FilteredRow& row) {
+        check();
+        for (int i = 0; i < row.columns; ++i)
+            for (std::size_t c = 0; c < 3; ++c) {
+                const float light = row.light[c][i], half_gap = 0.5f * row.gap[c][i];
+                const float shown =
+                    std::min(light + std::fabs(half_gap), settings_.white) - std::min(light, settings_.white);
+                error[static_cast<std::size_t>(row.y) * static_cast<std::size_t>(known.width) +
+                      static_cast<std::size_t>(row.x + i)] += shown * shown;
+            }
+    });
+    std::vector<SamplePlan::Square> squares(plan_.size());
+    for (int y = 0; y < known.height; ++y)
+        for (int x = 0; x < known.width; ++x) {
+            const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(known.width) +
+                               static_cast<std::size_t>(x);
+            const float covered = known.guides.coverage[pixel];
+            if (!(covered > 0.0f))
+                continue;
+            SamplePlan::Square& square = squares[plan_.square_of(x, y)];
+            square.covered += 1.0;
+            square.error +=
+                static_cast<double>(covered * covered * error[pixel] + error_of_lights(sums_, pixel));
+        }
+    plan_.plan(squares);
+}
+
+bool FullLight::gather(const Job& job)
 {
     for (; pass_ < passes_; ++pass_) {
+        // Plans are made before passes 1, 2, 4, 8 ...: what follows changes them by little.
+        if (planned_ != pass_ && (pass_ & (pass_ - 1)) == 0) {
+            plan_pass(job.check);
+            planned_ = pass_;
+        }
         tbb::enumerable_thread_specific<RayGatherer> gatherers(
-            [&] { return RayGatherer(picture, known_.get()); });
-        for_tiles(tiles_, [&](int tile) {
-            for (std::uint32_t i = 0; i < samples_of_pass; ++i)
-                gatherers.local().gather(
-                    tiles_.area(tile), static_cast<std::uint32_t>(pass_) * samples_of_pass + i, frame, sums_);
+            [&] { return RayGatherer(job.picture, known_.get()); });
+        job.for_tiles(tiles_, [&](int tile) {
+            gatherers.local().gather(tiles_.area(tile), {pass_, plan_}, job.frame, sums_);
         });
         if (!tiles_.all_done())
             return false;
         tiles_.restart();
+        plan_.end_pass();
     }
     return true;
 }
@@ -185,11 +231,11 @@ void FullLight::apply(Frame& frame, const std::function<void()>& check) const
     });
 }
 
-bool FullLight::advance(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame)
+bool FullLight::advance(const Job& job)
 {
     if (!std::exchange(guided_, true))
         make_means(sums_);
-    return find_known(picture, for_tiles, frame) && gather(picture, for_tiles, frame);
+    return find_known(job) && gather(job);
 }
 
 } // namespace lambent::draw

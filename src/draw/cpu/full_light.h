@@ -5,6 +5,7 @@
 #include "draw/cpu/ray_gatherer.h"
 #include "draw/cpu/tiles.h"
 #include "draw/light/cache_rounds.h"
+#include "draw/light/sample_plan.h"
 #include "draw/frame.h"
 
 #include <functional>
@@ -31,9 +32,16 @@ public:
     /// Calls its second argument for every tile that is not done, in parallel, and marks it done; may leave some.
     using ForTiles = std::function<void(Tiles&, const std::function<void(int)>&)>;
 
-    /// Goes on from where it was stopped. `frame`: the picture without shadows, complete. Returns whether all rays have
-    /// been traced.
-    bool advance(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame);
+    /// What a stage needs of its caller: the picture, a way to visit tiles, and what to call often where there are none; what
+    /// it throws is passed on.
+    struct Job {
+        const PictureContext& picture;
+        const ForTiles& for_tiles;
+        const std::function<void()>& check;
+        const Frame& frame; ///< without shadows, complete
+    };
+    /// Goes on from where it was stopped. Returns whether all rays have been traced.
+    bool advance(const Job& job);
 
     /// Asks for more passes.
     void refine(int passes) { passes_ += passes; }
@@ -46,8 +54,9 @@ public:
     int stages() const { return (asks_cache_ ? 1 : 0) + passes_; }
 
 private:
-    bool find_known(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame);
-    bool gather(const PictureContext& picture, const ForTiles& for_tiles, const Frame& frame);
+    bool find_known(const Job& job);
+    void plan_pass(const std::function<void()>& check);
+    bool gather(const Job& job);
     RayGatherer::Places wanted_places() const;
     void apply(const denoise::FilteredRow& row, const std::vector<image::RadianceImage*>& images) const;
 
@@ -57,6 +66,8 @@ private:
     bool asks_cache_;     ///< whether there is light that a cache has to know and none is given
     int passes_;          ///< asked for
     int pass_ = 0;        ///< the current one
+    int planned_ = 0;     ///< the last one that was planned
+    SamplePlan plan_;     ///< over the sums' area
     bool guided_ = false; ///< whether the sums of the picture without shadows are means
     std::vector<std::vector<PlaceSample>> places_; ///< by tile, until the cache is filled
     std::shared_ptr<const WorldCache> known_;

@@ -12,6 +12,9 @@
 namespace lambent::draw {
 namespace {
 
+// Camera rays that are traced together: their fragments fit in a core's cache.
+constexpr std::size_t rays_of_wave = 1024;
+
 glm::vec3 sum_of(const std::array<glm::vec3, light_classes>& light)
 {
     return light[diffuse_light] + light[glossy_light];
@@ -29,32 +32,30 @@ RayGatherer::RayGatherer(const PictureContext& picture, const WorldCache* cache)
 {
 }
 
-// Traces one camera ray through covered pixels of the area, one in spacing^2.
-void RayGatherer::look(const TileArea& area, std::uint32_t sample, int spacing, const Frame& frame)
+// A camera ray through a random point of a pixel.
+void RayGatherer::add_sight(int x, int y, std::uint32_t sample)
 {
     const RayMap& map = picture_.prepared.rays;
-    sights_.clear();
-    const auto offset = static_cast<int>(sample) % (spacing * spacing);
-    for (int y = area.y + offset / spacing; y < area.y + area.height; y += spacing)
-        for (int x = area.x + offset % spacing; x < area.x + area.width; x += spacing) {
-            if (!(frame.radiance.pixel(x, y)[3] > 0.0f))
-                continue;
-            WaveRay ray;
-            ray.owner = static_cast<std::uint32_t>(y * picture_.settings.width + x);
-            ray.sequence = hashed(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
-            const float across = static_cast<float>(x) + random_number(ray.sequence, sample, 0);
-            const float down = static_cast<float>(y) + random_number(ray.sequence, sample, 1);
-            ray.origin = map.origin + across * map.origin_dx + down * map.origin_dy;
-            const glm::vec3 way = map.direction + across * map.direction_dx + down * map.direction_dy;
-            const float length = glm::length(way);
-            ray.direction = way / length;
-            ray.near = map.near * length;
-            ray.far = map.far * length;
-            ray.spread = glm::length(map.direction_dx) / length;
-            ray.skips_backs = true;
-            ray.seed = hashed(ray.sequence, sample);
-            sights_.push_back(ray);
-        }
+    WaveRay ray;
+    ray.owner = static_cast<std::uint32_t>(y * picture_.settings.width + x);
+    ray.sequence = hashed(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
+    ray.sample = sample;
+    const float across = static_cast<float>(x) + random_number(ray.sequence, sample, 0);
+    const float down = static_cast<float>(y) + random_number(ray.sequence, sample, 1);
+    ray.origin = map.origin + across * map.origin_dx + down * map.origin_dy;
+    const glm::vec3 way = map.direction + across * map.direction_dx + down * map.direction_dy;
+    const float length = glm::length(way);
+    ray.direction = way / length;
+    ray.near = map.near * length;
+    ray.far = map.far * length;
+    ray.spread = glm::length(map.direction_dx) / length;
+    ray.skips_backs = true;
+    ray.seed = hashed(ray.sequence, sample);
+    sights_.push_back(ray);
+}
+
+void RayGatherer::find_seen()
+{
     seen_.cast(sights_, true);
     seen_.find(sights_, 0.0f);
 }
@@ -154,7 +155,7 @@ bool RayGatherer::mirrors(const RayWave& met, std::size_t at) const
 }
 
 // Finds the light of such hits by rays of their own.
-void RayGatherer::follow(std::uint32_t sample)
+void RayGatherer::follow(float together)
 {
     const RayWave& met = first_.met();
     further_.clear(), asked_.clear();
@@ -169,7 +170,7 @@ void RayGatherer::follow(std::uint32_t sample)
         return;
     near_.find(further_, 1.0f);
     soften_all(near_);
-    second_.send(near_, further_, sample);
+    second_.send(near_, further_, together);
     near_light_.swap(light_);
     // The rays are a bounce of their own: with two in all, what they meet is lit by nothing.
     light_of_hits(second_, picture_.settings.bounces > 2 ? cache_ : nullptr);
@@ -199,18 +200,37 @@ glm::vec3 RayGatherer::mirrored(const RayWave& met, std::size_t at, const RayLig
     return cached[diffuse_light] + glm::max(glossy, glm::vec3(0.0f));
 }
 
-void RayGatherer::gather(const TileArea& area, std::uint32_t sample, const Frame& frame, LightSums& sums)
+void RayGatherer::gather(const TileArea& area, const Pass& pass, const Frame& frame, LightSums& sums)
 {
-    look(area, sample, 1, frame);
-    if (sights_.empty())
-        return;
-    first_.send(seen_, sights_, sample);
+    // Later passes read the environment less blurred: each blur is an error, which no number of such rays takes away.
+    const float together = std::min(4.0f + static_cast<float>(pass.number), 64.0f);
+    sights_.clear();
+    for (std::uint32_t i = 0; i < SamplePlan::at_most; ++i)
+        for (int y = area.y; y < area.y + area.height; ++y)
+            for (int x = area.x; x < area.x + area.width; ++x) {
+                if (!sums.has(x, y) || !is_covered(frame, x, y))
+                    continue;
+                const int column = x - sums.area.x, row = y - sums.area.y;
+                if (i >= pass.plan.wanted(column, row))
+                    continue;
+                add_sight(x, y, pass.plan.taken(column, row) + i);
+                if (sights_.size() == rays_of_wave)
+                    gather_wave(together, sums);
+            }
+    if (!sights_.empty())
+        gather_wave(together, sums);
+}
+
+// Ends with no sights.
+void RayGatherer::gather_wave(float together, LightSums& sums)
+{
+    find_seen();
+    first_.send(seen_, sights_, together);
     light_of_hits(first_, cache_);
     if (cache_)
-        follow(sample);
+        follow(together);
     first_.collect(seen_, light_, found_);
     const Fragments& f = seen_.fragments();
-    const std::size_t half = sample % 2;
     const auto width = static_cast<std::uint32_t>(picture_.settings.width);
     const auto index_of = [&](const WaveRay& sight) {
         return sums.index(static_cast<int>(sight.owner % width), static_cast<int>(sight.owner / width));
@@ -220,29 +240,37 @@ void RayGatherer::gather(const TileArea& area, std::uint32_t sample, const Frame
             if (f.weight[at] <= 0.0f)
                 continue;
             const std::size_t pixel = index_of(sights_[f.pixel[at]]);
-            sums.add(pixel, half, found_[at]);
+            sums.add(pixel, sights_[f.pixel[at]].sample % 2, found_[at]);
             add_to(sums.lights_unshadowed, pixel, found_[at].lights_unshadowed);
             add_to(sums.lights_found, pixel, found_[at].lights_found);
         }
+    sights_.clear();
 }
 
 void RayGatherer::find_places(const TileArea& area, const Places& wanted, const Frame& frame,
                               std::vector<PlaceSample>& places)
 {
+    constexpr float together = 32.0f; // many rays leave the places of a cell
     for (std::uint32_t i = 0; i < wanted.samples; ++i) {
         const std::uint32_t sample = first_sample_of_cache + i;
-        look(area, sample, wanted.spacing, frame);
+        const auto offset = static_cast<int>(sample) % (wanted.spacing * wanted.spacing);
+        sights_.clear();
+        for (int y = area.y + offset / wanted.spacing; y < area.y + area.height; y += wanted.spacing)
+            for (int x = area.x + offset % wanted.spacing; x < area.x + area.width; x += wanted.spacing)
+                if (is_covered(frame, x, y))
+                    add_sight(x, y, sample);
         if (sights_.empty())
             continue;
-        first_.send(seen_, sights_, sample);
+        find_seen();
+        first_.send(seen_, sights_, together);
         soften_all(first_.met());
-        second_.send(first_.met(), first_.lobes(), sample);
-        add_places(wanted, places);
+        second_.send(first_.met(), first_.lobes(), together);
+        add_places(wanted.further, places);
     }
 }
 
 // The surfaces that the first step met, with the light that the second step found but for what surfaces reflect.
-void RayGatherer::add_places(const Places& wanted, std::vector<PlaceSample>& places)
+void RayGatherer::add_places(bool further, std::vector<PlaceSample>& places)
 {
     const RayWave& met = first_.met();
     const Fragments& f = met.fragments();
@@ -262,7 +290,7 @@ void RayGatherer::add_places(const Places& wanted, std::vector<PlaceSample>& pla
             place_of_[at] = places.size();
             places.push_back(sample);
         }
-    if (wanted.further)
+    if (further)
         add_further(places);
 }
 

@@ -5,6 +5,7 @@
 #include "draw/cpu/ray_step.h"
 #include "draw/cpu/ray_wave.h"
 #include "draw/light/cache_rounds.h"
+#include "draw/light/sample_plan.h"
 
 #include <cstdint>
 #include <vector>
@@ -22,9 +23,14 @@ public:
     /// `cache`: the light of what stops rays; null: it is black, but for what it emits.
     RayGatherer(const PictureContext& picture, const WorldCache* cache);
 
-    /// Adds sample number `sample` of the area's pixels to the sums. `frame`: the picture without shadows; pixels that no
+    /// A pass, and the samples that pixels of the sums' area get in it.
+    struct Pass {
+        int number;
+        const SamplePlan& plan;
+    };
+    /// Adds the samples of a pass of the area's pixels to the sums. `frame`: the picture without shadows; pixels that no
     /// surface covers get no rays.
-    void gather(const TileArea& area, std::uint32_t sample, const Frame& frame, LightSums& sums);
+    void gather(const TileArea& area, const Pass& pass, const Frame& frame, LightSums& sums);
 
     /// Where the rays of some pixels meet surfaces.
     struct Places {
@@ -37,9 +43,12 @@ public:
                      std::vector<PlaceSample>& places);
 
 private:
-    void add_places(const Places& wanted, std::vector<PlaceSample>& places);
+    void add_places(bool further, std::vector<PlaceSample>& places);
     void add_further(std::vector<PlaceSample>& places);
-    void look(const TileArea& area, std::uint32_t sample, int spacing, const Frame& frame);
+    bool is_covered(const Frame& frame, int x, int y) const { return frame.radiance.pixel(x, y)[3] > 0.0f; }
+    void add_sight(int x, int y, std::uint32_t sample);
+    void find_seen();
+    void gather_wave(float together, LightSums& sums);
     void light_unshadowed(RayWave& wave);
     void soften_all(RayWave& wave) const;
     CachePoint point_of(const RayWave& wave, std::size_t at) const;
@@ -50,7 +59,7 @@ private:
     bool is_near(const RayWave& met, std::size_t at) const;
     bool mirrors(const RayWave& met, std::size_t at) const;
     glm::vec3 mirrored(const RayWave& met, std::size_t at, const RayLight& found) const;
-    void follow(std::uint32_t sample);
+    void follow(float together);
 
     const PictureContext& picture_;
     const WorldCache* cache_;

@@ -16,16 +16,6 @@ namespace {
 constexpr std::size_t first_of_rays = 2;
 constexpr int random_columns = lobe_way - random_lobe;
 
-// Rays that share the environment's light around a point: their blurs cover the sphere together. Each blur is an error,
-// which no number of such rays takes away: where a pixel has had more rays, those that follow read less of it. Cells of the
-// cache have many rays.
-float rays_together(std::uint32_t sample)
-{
-    constexpr float at_first = 4.0f, at_last = 64.0f, of_cache = 32.0f;
-    return sample < first_sample_of_cache ? std::min(at_first + 0.5f * static_cast<float>(sample), at_last)
-                                          : of_cache;
-}
-
 // Origin of rays that leave a surface point, offset so that they do not meet the point's own triangle: floats of its
 // position are exact to 2^-24.
 glm::vec3 start_beside(const glm::vec3& position, const glm::vec3& towards)
@@ -61,14 +51,14 @@ glm::vec3 normal_towards(const WaveRay& ray)
     return ray.hit.front ? ray.hit.normal : -ray.hit.normal;
 }
 
-void RayStep::choose(RayWave& from, const std::vector<WaveRay>& rays, std::uint32_t sample)
+void RayStep::choose(RayWave& from, const std::vector<WaveRay>& rays)
 {
     Fragments& f = from.fragments();
-    const RayChoice choice{picture_.prepared.lights, rays_};
+    const RayChoice choice{picture_.prepared.lights, together_};
     for (const Fragments::Group& group : f.groups) {
         for (std::size_t at = group.begin; at < group.end; ++at)
             for (int i = 0; i < random_columns; ++i)
-                f[random_lobe + i][at] = random_number(rays[f.pixel[at]].sequence, sample,
+                f[random_lobe + i][at] = random_number(rays[f.pixel[at]].sequence, rays[f.pixel[at]].sample,
                                                        first_of_rays + static_cast<std::size_t>(i));
         choose_rays(picture_.prepared.light, choice, group.begin, group.end, f);
     }
@@ -84,6 +74,7 @@ void RayStep::make_rays(const RayWave& from, std::size_t at, const WaveRay& befo
     ray.origin = start_beside(three(f, column_position, at), normal);
     ray.seed = hashed(before.seed, 2u);
     ray.sequence = hashed(before.sequence, 3u);
+    ray.sample = before.sample;
     const auto add = [&](int way, std::vector<WaveRay>& rays) {
         ray.direction = three(f, way, at);
         if (glm::dot(normal, ray.direction) > 0.0f)
@@ -92,7 +83,7 @@ void RayStep::make_rays(const RayWave& from, std::size_t at, const WaveRay& befo
     if (!is_dark(f, lamp_diffuse, at))
         add(lamp_way, lamps_);
     if (const float density = f[lobe_density][at]; density > 0.0f && !is_dark(f, lobe_diffuse, at)) {
-        ray.spread = spread_of(density, rays_);
+        ray.spread = spread_of(density, together_);
         add(lobe_way, lobes_);
     }
     if (const float distance = f[light_distance][at]; distance > 0.0f) {
@@ -101,10 +92,10 @@ void RayStep::make_rays(const RayWave& from, std::size_t at, const WaveRay& befo
     }
 }
 
-void RayStep::send(RayWave& from, const std::vector<WaveRay>& rays, std::uint32_t sample)
+void RayStep::send(RayWave& from, const std::vector<WaveRay>& rays, float together)
 {
-    rays_ = rays_together(sample);
-    choose(from, rays, sample);
+    together_ = together;
+    choose(from, rays);
     const Fragments& f = from.fragments();
     lobes_.clear(), lamps_.clear(), lights_.clear();
     for (const Fragments::Group& group : f.groups) {

@@ -17,8 +17,9 @@ public:
     explicit RayStep(const PictureContext& picture) : picture_(picture), met_(picture) {}
 
     /// Chooses the rays of all fragments of `from`, made of `rays`, traces them, and finds the surfaces that stop those
-    /// along lobes. `sample`: number of the sample of each ray's seed.
-    void send(RayWave& from, const std::vector<WaveRay>& rays, std::uint32_t sample);
+    /// along lobes. `together`: rays that share the environment's light around a point; their blurs cover the sphere
+    /// together.
+    void send(RayWave& from, const std::vector<WaveRay>& rays, float together);
 
     /// The rays along lobes, and the surfaces that they met, without light.
     const std::vector<WaveRay>& lobes() const { return lobes_; }
@@ -30,12 +31,12 @@ public:
                  std::vector<RayLight>& found) const;
 
 private:
-    void choose(RayWave& from, const std::vector<WaveRay>& rays, std::uint32_t sample);
+    void choose(RayWave& from, const std::vector<WaveRay>& rays);
     void make_rays(const RayWave& from, std::size_t at, const WaveRay& before);
 
     const PictureContext& picture_;
     RayWave met_;
-    float rays_ = 1.0f;                           ///< that share the environment's light around a point
+    float together_ = 1.0f;
     std::vector<WaveRay> lobes_, lamps_, lights_; ///< owner: the fragment that they leave
     std::vector<std::uint8_t> lamp_blocked_, light_blocked_;
 };

@@ -21,6 +21,7 @@ struct WaveRay {
     std::uint32_t owner = 0;    ///< what the ray is for, as the caller counts
     std::uint32_t seed = 0;     ///< of its passage through surfaces that are not opaque
     std::uint32_t sequence = 0; ///< of random_number, for the rays that leave what it meets
+    std::uint32_t sample = 0;   ///< its index there
     bool skips_backs =
         false; ///< whether it passes through the backs of one-sided surfaces, as camera rays do
     Hit hit;

@@ -80,8 +80,7 @@ std::shared_ptr<const WorldCache> fill_cache(const Samples& samples, CacheSizes 
         std::vector<double> brightness(samples.size(), 0.0);
         tbb::parallel_for(std::size_t{0}, samples.size(), [&](std::size_t part) {
             for (std::size_t i = 0; i < samples[part].size(); ++i) {
-                const CachedLight light =
-                    light_of(samples[part][i], ends[part][i].further, known.get());
+                const CachedLight light = light_of(samples[part][i], ends[part][i].further, known.get());
                 next->add(ends[part][i].place, light);
                 brightness[part] += brightness_of(light);
             }
