@@ -171,7 +171,8 @@ private:
         const view::PixelArea covered = view::covered_area(scene.visibility().bounds(), prepared_.rays,
                                                            settings_.width, settings_.height);
         const bool keeps = settings_.keeps_known_light && settings_.bounces > 1;
-        return std::make_unique<FullLight>(settings_, covered, keeps ? renderer_.known_light() : nullptr);
+        return std::make_unique<FullLight>(settings_, covered, !prepared_.lights.empty(),
+                                           keeps ? renderer_.known_light() : nullptr);
     }
 
     // Draws the picture without shadows.

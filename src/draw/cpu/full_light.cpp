@@ -84,7 +84,7 @@ Shown shown_in(Frame& frame)
 float error_of_lights(const LightSums& sums, std::size_t pixel)
 {
     float error = 0.0f;
-    for (int c = 0; c < 3; ++c) {
+    for (int c = 0; c < 3 && sums.has_lights(); ++c) {
         const float all = at(sums.lights_unshadowed, pixel)[c], light = at(sums.lights, pixel)[c];
         const float lit = all > 0.0f ? at(sums.lights_found, pixel)[c] / all : 0.0f;
         error += light * light * std::max(lit * (1.0f - lit), 0.0f) / sums.picture.count[pixel];
@@ -101,9 +101,9 @@ void add_to_pixel(const std::vector<image::RadianceImage*>& images, int x, int y
 
 } // namespace
 
-FullLight::FullLight(const Settings& settings, const view::PixelArea& covered,
+FullLight::FullLight(const Settings& settings, const view::PixelArea& covered, bool has_lights,
                      std::shared_ptr<const WorldCache> known)
-    : settings_(settings), sums_(covered), tiles_(settings.width, settings.height),
+    : settings_(settings), sums_(covered, has_lights), tiles_(settings.width, settings.height),
       asks_cache_(settings.bounces > 1 && !known), passes_(settings.passes),
       plan_(covered.width, covered.height), known_(std::move(known))
 {
@@ -224,7 +224,8 @@ void FullLight::apply(Frame& frame, const std::function<void()>& check) const
             const std::size_t pixel = sums_.index(x, y);
             if (!(sums_.picture.guides.coverage[pixel] > 0.0f))
                 continue;
-            add_to_pixel(shown.lights, x, y, at(sums_.lights, pixel) * (lit_share(sums_, x, y) - 1.0f));
+            if (sums_.has_lights())
+                add_to_pixel(shown.lights, x, y, at(sums_.lights, pixel) * (lit_share(sums_, x, y) - 1.0f));
             for (int c = 0; c < 3; ++c) // what is less is rounding
                 frame.radiance.pixel(x, y)[c] = std::max(frame.radiance.pixel(x, y)[c], 0.0f);
         }

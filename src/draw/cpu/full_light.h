@@ -18,9 +18,9 @@ namespace lambent::draw {
 /// what the camera sees. May be stopped between tiles.
 class FullLight {
 public:
-    /// `covered`: the area of the picture in which surfaces can be seen. `known`: a cache to take the light from, filled;
+    /// `covered`: the area of the picture in which surfaces can be seen. `has_lights`: of the scene. `known`: a cache to take the light from, filled;
     /// null: it is filled first.
-    FullLight(const Settings& settings, const view::PixelArea& covered,
+    FullLight(const Settings& settings, const view::PixelArea& covered, bool has_lights,
               std::shared_ptr<const WorldCache> known);
 
     /// The cache, once it is filled; null before, and where one bounce needs none.

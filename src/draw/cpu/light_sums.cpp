@@ -43,7 +43,7 @@ void make_mean(LightSums& sums, std::size_t pixel)
 
 } // namespace
 
-LightSums::LightSums(const view::PixelArea& pixel_area) : area(pixel_area)
+LightSums::LightSums(const view::PixelArea& pixel_area, bool with_lights) : area(pixel_area)
 {
     picture.width = area.width;
     picture.height = area.height;
@@ -56,7 +56,7 @@ LightSums::LightSums(const view::PixelArea& pixel_area) : area(pixel_area)
     clear(guides.normal, pixels);
     clear(picture.diffuse.albedo, pixels);
     for (denoise::Rgb* const planes : {&lights, &lights_unshadowed, &lights_found})
-        clear(*planes, pixels);
+        clear(*planes, with_lights ? pixels : 0);
     for (std::size_t k = 0; k < light_classes; ++k) {
         clear(light(k).exact, pixels);
         for (denoise::Half& half : light(k).halves)

@@ -33,8 +33,10 @@ struct LightSums {
         lights_found;                   ///< sums of what the samples found of it, and of it with shadows
     std::array<denoise::Plane, 2> seen; ///< camera rays of each half that met a surface
 
-    /// Sums of zero.
-    explicit LightSums(const view::PixelArea& area);
+    /// Sums of zero; those of lights are empty planes without `lights`.
+    LightSums(const view::PixelArea& area, bool has_lights);
+
+    bool has_lights() const { return !lights[0].empty(); }
 
     /// Whether the planes have a pixel of the picture, and its index in them.
     bool has(int x, int y) const

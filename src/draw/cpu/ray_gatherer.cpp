@@ -241,6 +241,8 @@ void RayGatherer::gather_wave(float together, LightSums& sums)
                 continue;
             const std::size_t pixel = index_of(sights_[f.pixel[at]]);
             sums.add(pixel, sights_[f.pixel[at]].sample % 2, found_[at]);
+            if (!sums.has_lights())
+                continue;
             add_to(sums.lights_unshadowed, pixel, found_[at].lights_unshadowed);
             add_to(sums.lights_found, pixel, found_[at].lights_found);
         }

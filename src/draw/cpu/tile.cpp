@@ -175,7 +175,8 @@ void TileDrawer::resolve_classes(LightSums& sums, const TileArea& area) const
                 continue;
             const std::size_t pixel = sums.index(x, y);
             const glm::vec3 ambient = three(column_ambient, at), irradiance = three(column_irradiance, at);
-            add_to(sums.lights, pixel, weight * three(column_direct, at));
+            if (sums.has_lights())
+                add_to(sums.lights, pixel, weight * three(column_direct, at));
             add_to(sums.picture.diffuse.exact, pixel, weight * ambient);
             add_to(sums.picture.specular.exact, pixel, weight * three(column_reflected, at));
             add_to(sums.picture.diffuse.albedo, pixel, weight * diffuse_albedo(ambient, irradiance));

@@ -3,6 +3,7 @@
 #include "draw/light/random_points.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <vector>
 
@@ -62,14 +63,14 @@ std::uint64_t CacheCells::key_of(const CachePoint& point, int level) const
 }
 
 // Null where there is none.
-const CacheCells::Cell* CacheCells::find(const CachePoint& point, int level) const
+const CacheCells::Speaker* CacheCells::find(const CachePoint& point, int level) const
 {
     const std::uint64_t key = key_of(point, level);
-    for (std::size_t at = key % capacity;; at = (at + 1) % capacity) {
-        const std::uint64_t there = table_[at].key.load(std::memory_order_relaxed);
-        if (there == key)
-            return &table_[at];
-        if (there == 0)
+    const std::size_t mask = kept_.size() - 1;
+    for (std::size_t at = key & mask;; at = (at + 1) & mask) {
+        if (kept_[at].key == key)
+            return &kept_[at];
+        if (kept_[at].key == 0)
             return nullptr;
     }
 }
@@ -119,10 +120,9 @@ void CacheCells::settle_places(int level)
     }
 }
 
-void CacheCells::settle()
+// Instances speak for what is left of their points, or with all of them where that is little; the scene with all.
+void CacheCells::settle_wholes()
 {
-    for (int level = 0; level < places; ++level)
-        settle_places(level);
     std::vector<std::int32_t> spoken_for(capacity, 0); // points of an instance's cell
     for (std::size_t i = 0; i < capacity; ++i) {
         if (table_[i].speaker == none)
@@ -145,11 +145,34 @@ void CacheCells::settle()
     }
 }
 
+void CacheCells::keep_speakers()
+{
+    kept_.assign(std::bit_ceil(std::size_t{4} * speakers_ + 1), {});
+    for (std::size_t i = 0; i < capacity; ++i) {
+        const Cell& cell = table_[i];
+        if (cell.speaker == none)
+            continue;
+        std::size_t at = cell.key & (kept_.size() - 1);
+        while (kept_[at].key != 0)
+            at = (at + 1) & (kept_.size() - 1);
+        kept_[at] = {cell.key, cell.speaker, cell.whole};
+    }
+    table_.reset();
+}
+
+void CacheCells::settle()
+{
+    for (int level = 0; level < places; ++level)
+        settle_places(level);
+    settle_wholes();
+    keep_speakers();
+}
+
 std::uint32_t CacheCells::speaker_for(const CachePoint& point) const
 {
     for (int level = is_finite(point) ? 0 : of_instance; level <= of_scene; ++level)
-        if (const Cell* const cell = find(point, level); cell && cell->speaker != none)
-            return cell->speaker;
+        if (const Speaker* const speaker = find(point, level))
+            return speaker->number;
     return none;
 }
 
@@ -158,10 +181,10 @@ CacheCells::Membership CacheCells::cells_of(const CachePoint& point) const
     if (!is_finite(point))
         return {none, none, none};
     Membership cells = {speaker_for(point), none, none};
-    if (const Cell* const instance = find(point, of_instance); instance && instance->whole)
-        cells[1] = instance->speaker;
-    if (const Cell* const scene = find(point, of_scene))
-        cells[2] = scene->speaker;
+    if (const Speaker* const instance = find(point, of_instance); instance && instance->whole)
+        cells[1] = instance->number;
+    if (const Speaker* const scene = find(point, of_scene))
+        cells[2] = scene->number;
     for (std::size_t i = 1; i < cells.size(); ++i)
         if (cells[i] == cells[i - 1] || cells[i] == cells[0])
             cells[i] = none;

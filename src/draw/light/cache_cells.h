@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace lambent::draw {
 
@@ -38,7 +39,7 @@ public:
     /// Whether there are as many cells as there can be: later points were lost, and which depends on the threads.
     bool is_full() const { return cells_ > most_cells; }
 
-    /// Ends the counting.
+    /// Ends the counting; only the cells that speak are kept.
     void settle();
 
     /// How many cells speak.
@@ -68,11 +69,21 @@ private:
     };
 
     std::uint64_t key_of(const CachePoint& point, int level) const;
-    const Cell* find(const CachePoint& point, int level) const;
+    struct Speaker {
+        std::uint64_t key = 0; ///< 0: empty
+        std::uint32_t number = none;
+        bool whole = false;
+    };
+
+    const Speaker* find(const CachePoint& point, int level) const;
     Cell* find_or_make(std::uint64_t key);
     void settle_places(int level);
+    void settle_wholes();
+    void keep_speakers();
 
-    std::unique_ptr<Cell[]> table_;
+    std::unique_ptr<Cell[]> table_; ///< while points are counted
+    std::vector<Speaker>
+        kept_; ///< a table of a power of two of places, mostly empty: it fits in a core's cache
     std::atomic<std::size_t> cells_ = 0;
     std::uint32_t speakers_ = 0;
     float finest_side_;

@@ -12,15 +12,16 @@ namespace lambent::draw {
 /// deviation of a sample: Neyman 1934, "On the two different aspects of the representative method"]
 class SamplePlan {
 public:
-    static constexpr int side = 8;               ///< of a square, pixels
-    static constexpr std::uint32_t of_pass = 2;  ///< samples of a pixel in a pass that is not planned, one of each half
+    static constexpr int side = 8; ///< of a square, pixels
+    static constexpr std::uint32_t of_pass =
+        2; ///< samples of a pixel in a pass that is not planned, one of each half
     static constexpr std::uint32_t at_most = 16; ///< of a pixel in a pass
 
     SamplePlan(int width, int height);
 
     /// What is known of a square before a pass.
     struct Square {
-        double error = 0.0;  ///< sum of the squared errors of its pixels
+        double error = 0.0;   ///< sum of the squared errors of its pixels
         double covered = 0.0; ///< pixels with surfaces
     };
     std::size_t size() const { return wanted_.size(); } ///< squares
