@@ -1,7 +1,7 @@
 #include "audit/audit.h"
 
 #include "audit/pixel_choice.h"
-#include "reference/samples/sampler.h"
+#include "base/hash.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -22,7 +22,7 @@ enum class Random : std::uint32_t { places = 0x61756469, glance, choice, bootstr
 
 std::uint32_t seed_of(const Settings& settings, Random part)
 {
-    return reference::mixed(settings.seed, static_cast<std::uint32_t>(part));
+    return hashed(settings.seed, static_cast<std::uint32_t>(part));
 }
 
 // The seed of a part's paths: with a bit that no seed has which a user can give to the picture.
@@ -110,7 +110,7 @@ std::vector<Audited> choose(const std::vector<Candidate>& candidates, const std:
         scores.push_back(candidates[i].stands_for * seen[i].score);
     std::vector<Audited> audited;
     for (std::size_t first = 0; first < candidates.size(); first += group) {
-        const double random = (reference::mixed(seed, static_cast<std::uint32_t>(first)) + 0.5) * 0x1p-32;
+        const double random = (hashed(seed, static_cast<std::uint32_t>(first)) + 0.5) * 0x1p-32;
         const Chosen one = chosen(std::span(scores).subspan(first, group), random);
         const Candidate& candidate = candidates[first + one.index];
         audited.push_back(
@@ -154,7 +154,7 @@ Observation observe(const Audited& audited, const Color& picture, const Settings
     std::array<Color, 4> part;
     for (std::uint32_t i = 0; i < part.size(); ++i)
         part[i] = light({audited.at.x, audited.at.y, audited.samples,
-                         path_seed(reference::mixed(seed_of(settings, Random::light), i))})
+                         path_seed(hashed(seed_of(settings, Random::light), i))})
                       .radiance;
     const double cut = settings.cut;
     Observation seen{audited.weight, {}, {}};

@@ -1,5 +1,7 @@
 #include "denoise/control_shares.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -48,10 +50,11 @@ float share_of(const Sums& sums)
 ControlShares::ControlShares(const Picture& picture, const Light& light)
     : columns_((picture.width + side - 1) / side), rows_((picture.height + side - 1) / side)
 {
-    std::vector<Sums> squares;
-    for (int row = 0; row < rows_; ++row)
+    std::vector<Sums> squares(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+    tbb::parallel_for(0, rows_, [&](int row) {
         for (int column = 0; column < columns_; ++column)
-            squares.push_back(sums_of(picture, light, column, row));
+            squares[static_cast<std::size_t>(row * columns_ + column)] = sums_of(picture, light, column, row);
+    });
     for (int row = 0; row < rows_; ++row)
         for (int column = 0; column < columns_; ++column) {
             Sums sums;

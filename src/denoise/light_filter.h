@@ -46,7 +46,8 @@ struct Picture {
 struct Settings {
     /// Radiance that is shown as white, above 0: where exact light is above it, errors count less by their quotient.
     float cut = 1.0f;
-    /// Most that true light may be times unshadowed light where it is found as a ratio, at least 1.
+    /// Most that true light may be times unshadowed light where it is found as a ratio, at least 1; what is above is kept as
+    /// an amount.
     float ratio_limit = 2.0f;
 };
 

@@ -53,8 +53,8 @@ Sight sample_pixel(const World& world, const Lens& lens, const SeededPixel& pixe
                    FirstSurface* first)
 {
     const std::uint32_t sequence =
-        mixed(mixed(static_cast<std::uint32_t>(pixel.x), pixel.seed), static_cast<std::uint32_t>(pixel.y));
-    SampleSequence sampler(mixed(sequence, static_cast<std::uint32_t>(number % replicates)),
+        hashed(hashed(static_cast<std::uint32_t>(pixel.x), pixel.seed), static_cast<std::uint32_t>(pixel.y));
+    SampleSequence sampler(hashed(sequence, static_cast<std::uint32_t>(number % replicates)),
                            static_cast<std::uint32_t>(number / replicates));
     const std::array<double, 4> place = sampler.next4();
     return trace_path(world, lens.through(pixel.x + place[0], pixel.y + place[1]), sampler, first);

@@ -5,7 +5,7 @@
 #include "draw/cpu/cpu_renderer.h"
 #include "environment/builtin/builtin.h"
 #include "environment/environment.h"
-#include "reference/samples/sampler.h"
+#include "base/hash.h"
 #include "reference/tracer.h"
 
 #include <glm/common.hpp>
@@ -127,7 +127,7 @@ std::optional<Error> CachedTruth::audited(Settings settings) const
         const std::size_t n =
             number_[static_cast<std::size_t>(pixel.y) * static_cast<std::size_t>(subject_.picture.width) +
                     static_cast<std::size_t>(pixel.x)];
-        const std::uint32_t random = reference::mixed(settings.seed, static_cast<std::uint32_t>(n));
+        const std::uint32_t random = hashed(settings.seed, static_cast<std::uint32_t>(n));
         if (pixel.samples == settings.glance_samples)
             return glance_[random % glances][n];
         const unsigned step = 1 + 2 * (random / halves % (halves / 2)); // odd: the four are different

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "audit/audit.h"
-#include "reference/samples/sampler.h"
+#include "base/hash.h"
 
 #include <cmath>
 #include <functional>
@@ -13,8 +13,7 @@ namespace lambent::audit::testing {
 /// A number from 0 to 1, exclusive, independent for each x, y and seed.
 inline double uniform(int x, int y, std::uint32_t seed)
 {
-    using reference::mixed;
-    return (mixed(mixed(mixed(static_cast<std::uint32_t>(x), 77), static_cast<std::uint32_t>(y)), seed) +
+    return (hashed(hashed(hashed(static_cast<std::uint32_t>(x), 77), static_cast<std::uint32_t>(y)), seed) +
             0.5) *
            0x1p-32;
 }
@@ -23,7 +22,7 @@ inline double uniform(int x, int y, std::uint32_t seed)
 inline double normal(int x, int y, std::uint32_t seed)
 {
     return std::sqrt(-2.0 * std::log(uniform(x, y, seed))) *
-           std::cos(2.0 * std::numbers::pi * uniform(x, y, reference::mixed(seed, 1)));
+           std::cos(2.0 * std::numbers::pi * uniform(x, y, hashed(seed, 1)));
 }
 
 /// A grey value by pixel.

@@ -76,7 +76,7 @@ TEST(ReferenceSampler, ScramblingKeepsThem)
             const auto p = sobol(i);
             std::array<double, 4> u;
             for (std::uint32_t d = 0; d < 4; ++d)
-                u[d] = owen_scrambled(p[d], mixed(seed, d)) * 0x1p-32;
+                u[d] = owen_scrambled(p[d], hashed(seed, d)) * 0x1p-32;
             return u;
         });
 }
@@ -86,9 +86,9 @@ TEST(ReferenceSampler, ScramblingIsNested)
 {
     for (std::uint32_t seed = 0; seed < 50; ++seed)
         for (int bit = 0; bit < 32; ++bit) {
-            const std::uint32_t a = mixed(seed, 77), b = a ^ (0x80000000u >> bit);
+            const std::uint32_t a = hashed(seed, 77), b = a ^ (0x80000000u >> bit);
             const std::uint32_t differ =
-                owen_scrambled(a, mixed(seed, 3)) ^ owen_scrambled(b, mixed(seed, 3));
+                owen_scrambled(a, hashed(seed, 3)) ^ owen_scrambled(b, hashed(seed, 3));
             ASSERT_EQ(differ >> (31 - bit), 1u);
         }
 }

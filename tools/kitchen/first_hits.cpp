@@ -29,7 +29,7 @@ std::vector<FirstHit> first_hits(const scene::Scene& scene, const PanoramaView& 
             const float share = 1.0f / static_cast<float>(view.samples);
             for (int i = 0; i < view.samples; ++i) {
                 reference::SampleSequence sampler(
-                    reference::mixed(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y)),
+                    hashed(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y)),
                     static_cast<std::uint32_t>(i));
                 const auto place = sampler.next4();
                 const reference::SightRay ray = lens.through(x + place[0], y + place[1]);

@@ -10,7 +10,8 @@ namespace lambent {
 
 /// A .glb of the scene's triangles: meshes with positions, normals, colours and texture coordinates, their instances,
 /// materials with factors and a texture of the base colour. Emission above 1 is KHR_materials_emissive_strength.
-/// A material must not have two meshes with vertex colours of which only one has some above 1. [glTF 2.0]
+/// If meshes of a material have vertex colours above 1, all of its meshes must have
+/// vertex colours. [glTF 2.0]
 std::vector<std::uint8_t> encode_glb(const scene::Scene& scene);
 
 } // namespace lambent

@@ -199,8 +199,7 @@ Group<A> render_group()
              .at([](auto& a) -> auto& { return a.settings.passes; })
              .says("Rounds of rays; only with --bounces above 0",
                    "rounds of rays: two samples of every pixel in the first, in each later one about as much "
-                   "work where the "
-                   "picture is not yet known well; only with `--bounces` above 0")
+                   "work where the picture is not yet known well; only with `--bounces` above 0")
              .place(27),
          R("error", "REL", number(1e-4, 1.0))
              .at([](auto& a) -> auto& { return a.error; })

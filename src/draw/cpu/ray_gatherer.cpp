@@ -1,8 +1,8 @@
 #include "draw/cpu/ray_gatherer.h"
 
-#include "draw/light/random_points.h"
 #include "draw/cpu/ray_kernel.h"
 #include "draw/cpu/specular_kernel.h"
+#include "draw/light/random_points.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -205,7 +205,9 @@ void RayGatherer::gather(const TileArea& area, const Pass& pass, const Frame& fr
     // Later passes read the environment less blurred: each blur is an error, which no number of such rays takes away.
     const float together = std::min(4.0f + static_cast<float>(pass.number), 64.0f);
     sights_.clear();
-    for (std::uint32_t i = 0; i < SamplePlan::at_most; ++i)
+    bool wanted = true;
+    for (std::uint32_t i = 0; wanted; ++i) {
+        wanted = false;
         for (int y = area.y; y < area.y + area.height; ++y)
             for (int x = area.x; x < area.x + area.width; ++x) {
                 if (!sums.has(x, y) || !is_covered(frame, x, y))
@@ -213,10 +215,12 @@ void RayGatherer::gather(const TileArea& area, const Pass& pass, const Frame& fr
                 const int column = x - sums.area.x, row = y - sums.area.y;
                 if (i >= pass.plan.wanted(column, row))
                     continue;
+                wanted = true;
                 add_sight(x, y, pass.plan.taken(column, row) + i);
                 if (sights_.size() == rays_of_wave)
                     gather_wave(together, sums);
             }
+    }
     if (!sights_.empty())
         gather_wave(together, sums);
 }

@@ -1,6 +1,6 @@
 #include "draw/light/cache_cells.h"
 
-#include "draw/light/random_points.h"
+#include "base/hash.h"
 
 #include <algorithm>
 #include <bit>
@@ -22,7 +22,7 @@ bool is_finite(const CachePoint& point)
     return std::isfinite(sum.x + sum.y + sum.z) && std::isfinite(point.distance);
 }
 
-// The range of one coordinate of a normal: sevenths in the smallest cells, in others fifths made of these.
+// The range of one coordinate of a normal: one of seven in the smallest cells, in others one of five, made of these.
 long turn_of(float coordinate, int level)
 {
     const long narrow = std::lround(coordinate * 3.0f);

@@ -39,7 +39,7 @@ public:
     /// Whether there are as many cells as there can be: later points were lost, and which depends on the threads.
     bool is_full() const { return cells_ > most_cells; }
 
-    /// Ends the counting; only the cells that speak are kept.
+    /// Ends the counting, unless there are too many cells; only those that speak are kept.
     void settle();
 
     /// How many cells speak.

@@ -97,19 +97,19 @@ std::uint32_t owen_scrambled(std::uint32_t fraction, std::uint32_t seed)
 
 std::array<double, 4> SampleSequence::next4()
 {
-    const std::uint32_t seed = mixed(sequence_, ++dimension_);
+    const std::uint32_t seed = hashed(sequence_, ++dimension_);
     // The order of points is scrambled too, because otherwise all calls would use the same points in the same order.
     const std::uint32_t shuffled = owen_scrambled(index_, seed);
     const std::array<std::uint32_t, 4> point = sobol(shuffled);
     std::array<double, 4> u;
     for (std::uint32_t d = 0; d < 4; ++d)
-        u[d] = owen_scrambled(point[d], mixed(seed, d + 1)) * 0x1p-32;
+        u[d] = owen_scrambled(point[d], hashed(seed, d + 1)) * 0x1p-32;
     return u;
 }
 
 double SampleSequence::random()
 {
-    return mixed(mixed(sequence_, 0x68bc21ebu + ++drawn_), index_) * 0x1p-32;
+    return hashed(hashed(sequence_, 0x68bc21ebu + ++drawn_), index_) * 0x1p-32;
 }
 
 } // namespace lambent::reference

@@ -1,18 +1,12 @@
 // Evenly distributed random numbers (Owen-scrambled Sobol points), and independent ones for decisions.
 #pragma once
 
+#include "base/hash.h"
+
 #include <array>
 #include <cstdint>
 
 namespace lambent::reference {
-
-/// Hash of two 32-bit numbers. [O'Neill 2014, PCG, output function RXS-M-XS]
-inline std::uint32_t mixed(std::uint32_t a, std::uint32_t b)
-{
-    std::uint32_t state = (a ^ (b * 0x9e3779b9u + 0x7f4a7c15u)) * 747796405u + 2891336453u;
-    state = ((state >> ((state >> 28) + 4)) ^ state) * 277803737u;
-    return (state >> 22) ^ state;
-}
 
 /// Point `index` in the first four Sobol dimensions, each from 0 to 2^32 - 1. Any 2^k consecutive points that start
 /// at a multiple of 2^k are evenly distributed in every dimension, and in the first two together. [Sobol 1967;
